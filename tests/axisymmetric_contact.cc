@@ -9,7 +9,7 @@
 // pressure between two tubes is Lame's.
 
 #include "condensed_model.h"
-#include "solvers/rigid_body_modes.h"
+#include "solvers/rigid_pieces/rigid_body_modes.h"
 
 using namespace Tests;
 

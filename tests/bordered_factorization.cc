@@ -9,14 +9,14 @@
 // no factorization of the inside, and no new analysis; and that what is
 // indefinite inside is left to UMFPACK.
 
-#include "solvers/bordered_factorization.h"
+#include "solvers/direct/bordered_factorization.h"
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <array>
 #include <map>
 
-#include "solvers/linear_solver.h"
+#include "solvers/direct/linear_solver.h"
 #include "tests.h"
 
 using namespace Tests;

@@ -6,8 +6,8 @@
 #ifndef contact_condensed_model_h
 #define contact_condensed_model_h
 
-#include "solvers/assembled_system.h"
-#include "solvers/slip_turning.h"
+#include "solvers/condensed/assembled_system.h"
+#include "solvers/condensed/slip_turning.h"
 #include "tests.h"
 
 namespace Tests

@@ -6,7 +6,7 @@
 // Forces, largest tractions and the ends of the contact pairs of contact and
 // stick, from contact points that are told what to do.
 
-#include "contact/contact_results.h"
+#include "contact/results/contact_results.h"
 
 #include "tests.h"
 

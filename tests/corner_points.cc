@@ -14,7 +14,7 @@
 // that is asked for.
 
 #include "condensed_model.h"
-#include "contact/contact_results.h"
+#include "contact/results/contact_results.h"
 
 using namespace Tests;
 

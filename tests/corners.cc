@@ -11,7 +11,7 @@
 // closest piece is hidden by it; at a vertex of the master neither edge is
 // preferred.
 
-#include "contact/mortar.h"
+#include "contact/mortar/mortar.h"
 #include "tests.h"
 
 using namespace Tests;

@@ -9,7 +9,7 @@
 // its last spring (closed forms). Of an unsymmetric matrix the symmetric part
 // decides.
 
-#include "solvers/definiteness.h"
+#include "solvers/direct/definiteness.h"
 
 #include <iostream>
 

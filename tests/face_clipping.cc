@@ -8,7 +8,7 @@
 // (as slave and master facets do on a symmetry plane), and for turned squares;
 // in either order and with either sense of the corners.
 
-#include "contact/face_clipping.h"
+#include "contact/surfaces/face_clipping.h"
 
 #include <cmath>
 #include <iostream>

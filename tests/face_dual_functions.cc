@@ -9,7 +9,7 @@
 // has a multiplier of its own, where it hangs between two nodes of which one is
 // beyond the facet, and where both are: then both test functions are the same.
 
-#include "contact/face_dual_functions.h"
+#include "contact/mortar/face_dual_functions.h"
 
 #include <deal.II/base/quadrature_lib.h>
 

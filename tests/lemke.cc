@@ -7,12 +7,12 @@
 // ratios are all equal; one without a solution; and points with Coulomb's
 // friction on random bodies, whatever the friction.
 
-#include "solvers/lemke.h"
+#include "solvers/saddle_point/lemke.h"
 
 #include <cmath>
 #include <random>
 
-#include "solvers/contact_complementarity.h"
+#include "solvers/saddle_point/contact_complementarity.h"
 #include "tests.h"
 
 using namespace Tests;

@@ -6,12 +6,12 @@
 // Measures that keep a run going: the steps of the load factor, cut and grown
 // again; the guard of Newton's method; the relaxation of fixed points.
 
-#include "solvers/load_steps.h"
+#include "solvers/newton/load_steps.h"
 
 #include <cmath>
 
-#include "solvers/newton_globalization.h"
-#include "solvers/relaxation.h"
+#include "solvers/newton/newton_globalization.h"
+#include "solvers/newton/relaxation.h"
 #include "tests.h"
 
 using namespace Tests;

@@ -17,8 +17,8 @@
 #include <cmath>
 
 #include "derivatives.h"
-#include "solid/elastic_plastic.h"
-#include "solid/mooney_rivlin.h"
+#include "solid/materials/elastic_plastic.h"
+#include "solid/materials/mooney_rivlin.h"
 #include "volume_mesh.h"
 
 using namespace Tests;

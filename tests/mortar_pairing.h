@@ -10,7 +10,7 @@
 
 #include <numeric>
 
-#include "contact/mortar.h"
+#include "contact/mortar/mortar.h"
 #include "tests.h"
 
 namespace Tests

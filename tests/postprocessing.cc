@@ -19,9 +19,9 @@
 
 #include "base/errors.h"
 #include "base/files.h"
-#include "contact/probes.h"
 #include "output/result_files.h"
 #include "output/result_tables.h"
+#include "probes/probes.h"
 
 using namespace Tests;
 

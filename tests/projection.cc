@@ -8,7 +8,7 @@
 // surface reach as far as the documented overhang and no further; and that at
 // a corner the corner is found.
 
-#include "contact/surface_search.h"
+#include "contact/surfaces/surface_search.h"
 #include "tests.h"
 
 using namespace Tests;

@@ -7,7 +7,7 @@
 // free: the lines of the eliminated unknowns fulfil all equations to round-off,
 // and are as long as their coefficients are above it, however long the chain.
 
-#include "solvers/row_elimination.h"
+#include "solvers/condensed/row_elimination.h"
 
 #include <cmath>
 #include <iostream>

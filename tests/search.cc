@@ -10,7 +10,7 @@
 
 #include <limits>
 
-#include "contact/surface_search.h"
+#include "contact/surfaces/surface_search.h"
 #include "tests.h"
 
 using namespace Tests;

@@ -11,7 +11,8 @@ root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 mkdir -p "$1"
 directory=$(CDPATH='' cd -- "$1" && pwd)
 shift
-[ $# -gt 0 ] || set -- "$root"/contact.cc "$root"/include/*/*.cc
+[ $# -gt 0 ] || set -- "$root"/contact.cc "$root"/include/*/*.cc \
+  "$root"/include/*/*/*.cc
 status=0
 
 # clang can not read the headers that GCC has precompiled: they are named in the

@@ -9,7 +9,7 @@
 // know: pressure, shear and bound of friction exactly where they are linear,
 // and each end of the contact to within one node.
 
-#include "contact/surface_transfer.h"
+#include "contact/interface/surface_transfer.h"
 
 #include "condensed_model.h"
 #include "refine_bodies.h"

@@ -18,13 +18,13 @@
 #include <random>
 #include <sstream>
 
-#include "contact/contact_kernel.h"
+#include "contact/interface/contact_kernel.h"
 #include "mesh/mesh.h"
 #include "mpi_session.h"
 #include "parameters/parameters.h"
 #include "solid/discretization.h"
 #include "solid/elasticity.h"
-#include "solvers/linear_solver.h"
+#include "solvers/direct/linear_solver.h"
 
 namespace Contact
 {

@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-#include "contact/contact_results.h"
-#include "contact/slave_corners.h"
+#include "contact/points/slave_corners.h"
+#include "contact/results/contact_results.h"
 
 namespace Contact
 {

@@ -9,7 +9,7 @@
 #include <map>
 #include <optional>
 
-#include "contact/contact_interface.h"
+#include "contact/interface/contact_interface.h"
 
 namespace Contact
 {

@@ -12,8 +12,8 @@
 
 #include "base/errors.h"
 #include "base/interruption.h"
-#include "contact/probes.h"
 #include "parameters/formula.h"
+#include "probes/probes.h"
 
 namespace Contact
 {

@@ -15,8 +15,8 @@
 #include "adaptivity/scene_variants.h"
 #include "adaptivity/stress_peaks.h"
 #include "adaptivity/variant_model.h"
-#include "contact/contact_model.h"
-#include "contact/increment_state.h"
+#include "model/contact_model.h"
+#include "model/increment_state.h"
 
 namespace Contact
 {

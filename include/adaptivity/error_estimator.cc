@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "adaptivity/refinement.h"
-#include "contact/contact_results.h"
+#include "contact/results/contact_results.h"
 
 namespace Contact
 {

@@ -9,7 +9,7 @@
 #include <list>
 
 #include "adaptivity/contact_tractions.h"
-#include "contact/contact_model.h"
+#include "model/contact_model.h"
 #include "solid/elasticity.h"
 
 namespace Contact

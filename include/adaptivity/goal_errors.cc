@@ -10,9 +10,9 @@
 
 #include "adaptivity/patch_recovery.h"
 #include "adaptivity/refined_system.h"
-#include "contact/contact_results.h"
-#include "contact/probes.h"
-#include "solvers/saddle_point_system.h"
+#include "contact/results/contact_results.h"
+#include "probes/probes.h"
+#include "solvers/saddle_point/saddle_point_system.h"
 
 namespace Contact
 {

@@ -8,9 +8,9 @@
 
 #include <vector>
 
-#include "contact/contact_kernel.h"
-#include "contact/increment_state.h"
-#include "contact/surface_transfer.h"
+#include "contact/interface/contact_kernel.h"
+#include "contact/interface/surface_transfer.h"
+#include "model/increment_state.h"
 #include "parameters/parameters.h"
 
 namespace Contact

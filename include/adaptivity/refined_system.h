@@ -10,9 +10,9 @@
 #include <set>
 #include <vector>
 
-#include "contact/contact_kernel.h"
-#include "contact/increment_state.h"
-#include "solvers/linear_solver.h"
+#include "contact/interface/contact_kernel.h"
+#include "model/increment_state.h"
+#include "solvers/direct/linear_solver.h"
 
 namespace Contact
 {

@@ -6,7 +6,7 @@
 #ifndef contact_refinement_h
 #define contact_refinement_h
 
-#include "contact/contact_model.h"
+#include "model/contact_model.h"
 
 namespace Contact
 {

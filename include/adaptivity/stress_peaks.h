@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/contact_model.h"
+#include "model/contact_model.h"
 
 namespace Contact
 {

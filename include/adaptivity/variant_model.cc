@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "base/errors.h"
-#include "contact/surface_transfer.h"
-#include "solvers/rigid_body_modes.h"
+#include "contact/interface/surface_transfer.h"
+#include "solvers/rigid_pieces/rigid_body_modes.h"
 
 namespace Contact
 {

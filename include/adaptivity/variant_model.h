@@ -10,10 +10,10 @@
 
 #include <memory>
 
-#include "contact/contact_model.h"
-#include "contact/increment_state.h"
+#include "model/contact_model.h"
+#include "model/increment_state.h"
 #include "parameters/parameters.h"
-#include "solvers/saddle_point_system.h"
+#include "solvers/saddle_point/saddle_point_system.h"
 
 namespace Contact
 {

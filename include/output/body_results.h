@@ -9,7 +9,7 @@
 #include <map>
 #include <string>
 
-#include "contact/contact_model.h"
+#include "model/contact_model.h"
 
 namespace Contact
 {

@@ -8,11 +8,11 @@
 
 #include <optional>
 
-#include "contact/increment_state.h"
+#include "model/increment_state.h"
 #include "output/report.h"
-#include "solvers/convergence_test.h"
-#include "solvers/load_steps.h"
-#include "solvers/pairing.h"
+#include "solvers/newton/convergence_test.h"
+#include "solvers/newton/load_steps.h"
+#include "solvers/newton/pairing.h"
 
 namespace Contact
 {

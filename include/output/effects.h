@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/contact_interface.h"
+#include "contact/interface/contact_interface.h"
 #include "output/summary.h"
 
 namespace Contact

@@ -5,10 +5,10 @@
 
 #include "output/postprocessor.h"
 
-#include "contact/obstacle_forces.h"
-#include "contact/probes.h"
-#include "contact/turned_glue.h"
+#include "contact/interface/obstacle_forces.h"
+#include "model/turned_glue.h"
 #include "output/body_results.h"
+#include "probes/probes.h"
 
 namespace Contact
 {

@@ -6,8 +6,8 @@
 #ifndef contact_postprocessor_h
 #define contact_postprocessor_h
 
-#include "contact/contact_results.h"
-#include "contact/increment_state.h"
+#include "contact/results/contact_results.h"
+#include "model/increment_state.h"
 #include "output/report.h"
 #include "solid/stress_recovery.h"
 #include "verification/exact_solution.h"

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <map>
 
-#include "contact/contact_results.h"
+#include "contact/results/contact_results.h"
 #include "output/profile_rows.h"
 
 namespace Contact

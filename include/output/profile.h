@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/contact_interface.h"
+#include "contact/interface/contact_interface.h"
 #include "verification/exact_solution.h"
 
 namespace Contact

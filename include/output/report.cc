@@ -12,13 +12,13 @@
 #include <sstream>
 
 #include "base/string_utilities.h"
-#include "contact/force_probes.h"
 #include "output/accuracy.h"
 #include "output/effects.h"
 #include "output/estimated_effects.h"
 #include "output/result_notes.h"
 #include "output/result_tables.h"
 #include "output/scene_notes.h"
+#include "probes/force_probes.h"
 
 namespace Contact
 {

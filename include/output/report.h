@@ -14,7 +14,7 @@
 #include <set>
 #include <string>
 
-#include "contact/contact_model.h"
+#include "model/contact_model.h"
 #include "output/body_results.h"
 #include "output/result_files.h"
 #include "output/summary.h"

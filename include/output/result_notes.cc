@@ -10,9 +10,9 @@
 #include <algorithm>
 
 #include "base/string_utilities.h"
-#include "solvers/definite_solver.h"
-#include "solvers/matrix_free_system.h"
-#include "solvers/rigid_body_modes.h"
+#include "solvers/direct/definite_solver.h"
+#include "solvers/multigrid/matrix_free_system.h"
+#include "solvers/rigid_pieces/rigid_body_modes.h"
 #include "verification/rigid_fit.h"
 
 namespace Contact

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/contact_model.h"
+#include "model/contact_model.h"
 
 namespace Contact
 {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "solid/cell_tables.h"
-#include "solid/material_law.h"
+#include "solid/materials/material_law.h"
 
 namespace Contact
 {

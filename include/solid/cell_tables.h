@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "solid/discretization.h"
-#include "solid/kinematics.h"
+#include "solid/materials/kinematics.h"
 
 namespace Contact
 {

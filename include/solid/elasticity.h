@@ -18,10 +18,10 @@
 #include <set>
 #include <vector>
 
-#include "solid/body_materials.h"
 #include "solid/cell_kernel.h"
 #include "solid/cell_values.h"
 #include "solid/dead_loads.h"
+#include "solid/materials/body_materials.h"
 #include "solid/stabilization_springs.h"
 
 namespace Contact

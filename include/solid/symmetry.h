@@ -8,7 +8,7 @@
 
 #include <array>
 
-#include "solid/kinematics.h"
+#include "solid/materials/kinematics.h"
 
 namespace Contact
 {

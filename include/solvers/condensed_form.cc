@@ -12,8 +12,8 @@
 #include <iomanip>
 #include <limits>
 
-#include "solvers/definite_solver.h"
-#include "solvers/matrix_free_system.h"
+#include "solvers/direct/definite_solver.h"
+#include "solvers/multigrid/matrix_free_system.h"
 
 namespace Contact
 {

@@ -8,8 +8,8 @@
 
 #include <memory>
 
-#include "solvers/condensed_system.h"
-#include "solvers/linear_system.h"
+#include "solvers/condensed/condensed_system.h"
+#include "solvers/newton/linear_system.h"
 
 namespace Contact
 {

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "contact/contact_crossing.h"
-#include "contact/contact_depth.h"
+#include "contact/results/contact_crossing.h"
+#include "contact/results/contact_depth.h"
 #include "verification/rigid_fit.h"
 
 namespace Contact

@@ -7,7 +7,7 @@
 #define contact_contact_check_h
 
 #include "base/string_utilities.h"
-#include "contact/contact_interface.h"
+#include "contact/interface/contact_interface.h"
 
 namespace Contact
 {

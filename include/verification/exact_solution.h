@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-#include "contact/contact_results.h"
+#include "contact/results/contact_results.h"
 
 namespace Contact
 {

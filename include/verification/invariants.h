@@ -12,7 +12,7 @@
 #include <map>
 #include <string>
 
-#include "contact/obstacle_forces.h"
+#include "contact/interface/obstacle_forces.h"
 #include "verification/contact_check.h"
 
 namespace Contact

@@ -8,7 +8,7 @@
 
 #include <map>
 
-#include "contact/surface.h"
+#include "contact/surfaces/surface.h"
 
 namespace Contact
 {

@@ -34,7 +34,7 @@
 #include <iomanip>
 #include <iostream>
 
-#include "solvers/definite_solver.h"
+#include "solvers/direct/definite_solver.h"
 
 using namespace dealii;
 using Contact::DefiniteSolver;

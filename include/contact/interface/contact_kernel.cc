@@ -1,0 +1,533 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// The kernel of ContactInterface: what a point adds to the linear system.
+
+#include "contact/interface/contact_kernel.h"
+
+#include <algorithm>
+#include <numeric>
+
+
+
+namespace Contact
+{
+  namespace
+  {
+    /// Call @p visit with the place of each free motion among the unknowns of a
+    /// point, with what makes of a row over these its entry there, and with the
+    /// number of the motion: that the master moves is that the nodes of the
+    /// slave move the other way.
+    template<int dim, typename Visit>
+    void for_free_motions(const ContactInterface<dim> &interface,
+                          const ContactPoint<dim>     &point,
+                          const Visit                 &visit)
+    {
+      const unsigned int first = interface.contact_pair(point).first_motion;
+      unsigned int       place =
+        dim * point.n_nodes +
+        (interface.has_friction(point) ? dim : 1) * point.n_multipliers;
+      for (unsigned int k = 0; k < point.motions.size(); ++k)
+        if (!interface.free_motions()[first + k]->stays)
+          visit(
+            place++,
+            [&](const auto &row) {
+              double sum = 0;
+              for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
+                for (unsigned int i = 0; i < dim; ++i)
+                  sum -= point.motions[k].way[i] * row(dim * a + i);
+              return sum;
+            },
+            first + k);
+    }
+
+
+
+    /// In the plane an obstacle under a moment takes the loads with it as it
+    /// turns, and its moment changes with their arms.
+    void add_turning_loads(const ContactInterface<2> &interface,
+                           const ContactPoint<2>     &point,
+                           const Vector<double>      &residual,
+                           FullMatrix<double>        &matrix)
+    {
+      const auto turned = [&](const unsigned int k) {
+        return k % 2 == 0 ? -residual[k + 1] : residual[k - 1];
+      };
+      for_free_motions(
+        interface,
+        point,
+        [&](const unsigned int j, const auto &, const unsigned int motion) {
+          if (!interface.free_motions()[motion]->turns)
+            return;
+          for (unsigned int k = 0; k < 2 * point.n_slave_nodes; ++k)
+            {
+              matrix(k, j) += turned(k);
+              matrix(j, k) += turned(k);
+            }
+          for_free_motions(interface,
+                           point,
+                           [&](const unsigned int i,
+                               const auto        &node_by_way,
+                               const unsigned int) {
+                             matrix(i, j) += node_by_way(turned);
+                             if (i != j)
+                               matrix(j, i) += node_by_way(turned);
+                           });
+        });
+    }
+
+    void add_turning_loads(const ContactInterface<3> &,
+                           const ContactPoint<3> &,
+                           const Vector<double> &,
+                           FullMatrix<double> &)
+    {
+    }
+  } // namespace
+
+
+
+  /// The motion of the pairing of a contact point with the bodies: derivatives
+  /// with respect to its unknowns, by their place in Rows::unknowns.
+  template<int dim>
+  struct ContactKernel<dim>::Motion
+  {
+    std::vector<unsigned int> columns;
+
+    FullMatrix<double>  C;      // of the coefficients, by node
+    std::vector<double> weight; // of the weight, relative
+    std::vector<double> omega;  // d_n = -omega t, d_t = omega n
+    std::vector<double> gap;    // of the gap, but for n . sum C_a du_a
+    std::vector<double> slip;   // of the slip, but for t . sum C_a du_a
+  };
+
+
+
+  // The projection is on the edge however it moves: along it the gap does not
+  // change.
+  template<>
+  ContactKernel<2>::Motion
+  ContactKernel<2>::motion_of_projection(const ContactPoint<2> &point,
+                                         const GhostedVector   &solution,
+                                         const Tensor<1, 2>    &r) const
+  {
+    Tensor<1, 2> kappa = point.projection_curvature;
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      for (unsigned int i = 0; i < 2; ++i)
+        kappa[i] -= point.C2[a] * (point.X(a)[i] + solution[point.dofs(a)[i]]);
+    const double gap   = point.normal * r;
+    const double curve = point.normal * kappa;
+    const double slope = point.metric * point.metric - gap * curve;
+
+    const unsigned int n = 2 * point.n_nodes;
+    Motion             motion;
+    motion.columns.resize(n);
+    std::iota(motion.columns.begin(), motion.columns.end(), 0);
+    motion.C.reinit(point.n_nodes, n);
+    motion.weight.resize(n);
+    motion.omega.resize(n);
+    motion.gap.resize(n);
+    motion.slip.resize(n);
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          const unsigned int j    = 2 * a + i;
+          double             d_xi = 0;
+          if (!point.projection_is_clipped)
+            d_xi = (point.metric * point.tangents[0][i] * point.C[a] -
+                    gap * point.normal[i] * point.C1[a]) /
+                   slope;
+          motion.omega[j] =
+            (curve * d_xi - point.C1[a] * point.normal[i]) / point.metric;
+          motion.slip[j] = -point.projection_stretch * point.metric * d_xi;
+          for (unsigned int b = 0; b < point.n_nodes; ++b)
+            motion.C(b, j) = point.C1[b] * d_xi;
+        }
+    return motion;
+  }
+
+
+
+  // Unknowns that are not of the point's own nodes come behind its multipliers.
+  template<>
+  ContactKernel<2>::Motion
+  ContactKernel<2>::motion_of_change(const ContactPoint<2> &point) const
+  {
+    const auto unknowns = interface.unknowns_of(point);
+    Motion     motion;
+    for (const auto dof : point.change.dofs)
+      motion.columns.push_back(
+        std::find(unknowns.begin(), unknowns.end(), dof) - unknowns.begin());
+    motion.C      = point.change.C;
+    motion.weight = point.change.weight;
+    motion.gap    = point.change.projection;
+    for (const Tensor<1, 1> &turn : point.change.turn)
+      motion.omega.push_back(-turn[0]);
+    for (double &gap : motion.gap)
+      gap *= -1;
+    return motion;
+  }
+
+
+
+  // With tau = d x_m/d xi, kappa = d^2 x_m/d xi^2, m = |tau| and the gap g, the
+  // projection of the normal moves as
+  //   (m^2 - g n.kappa) d_xi = tau . sum C_a du_a - g n . sum C1_a du_a
+  // (C1 carries the minus of the master side), and the edge turns by
+  //   omega = n . d_tau / m.
+  // The mortar discretization brings derivatives of its own.
+  template<>
+  ContactKernel<2>::Motion
+  ContactKernel<2>::motion(const ContactPoint<2> &point,
+                           const GhostedVector   &solution,
+                           const GhostedVector   &u_start) const
+  {
+    Tensor<1, 2> r   = -point.projection;
+    Tensor<1, 2> d_r = point.apart_at_start - point.projection_motion;
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          const double u = solution[point.dofs(a)[i]];
+          r[i] += point.C[a] * (point.X(a)[i] + u);
+          d_r[i] += point.C[a] * (u - u_start[point.dofs(a)[i]]);
+        }
+
+    Motion motion = point.change.dofs.empty()
+                      ? motion_of_projection(point, solution, r)
+                      : motion_of_change(point);
+    // Of the gap and of the slip, what C, n and t make.
+    const unsigned int n = motion.columns.size();
+    motion.slip.resize(n);
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        motion.gap[j] -= (point.tangents[0] * r) * motion.omega[j];
+        motion.slip[j] += (point.normal * d_r) * motion.omega[j];
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          for (unsigned int i = 0; i < 2; ++i)
+            {
+              const double u = solution[point.dofs(a)[i]];
+              motion.gap[j] +=
+                motion.C(a, j) * point.normal[i] * (point.X(a)[i] + u);
+              motion.slip[j] += motion.C(a, j) * point.tangents[0][i] *
+                                (u - u_start[point.dofs(a)[i]]);
+            }
+      }
+    return motion;
+  }
+
+
+
+  template<>
+  void ContactKernel<2>::add_motion(const ContactPoint<2> &point,
+                                    const Motion          &moves,
+                                    Rows                  &rows) const
+  {
+    const double c = point.augmentation_parameter;
+    for (unsigned int j = 0; j < moves.columns.size(); ++j)
+      {
+        rows.p_trial[moves.columns[j]] -= c * moves.gap[j];
+        if (interface.has_friction(point))
+          rows.q_trial[0][moves.columns[j]] -= c * moves.slip[j];
+      }
+  }
+
+
+
+  // The loads turn and travel with the master edge.
+  template<>
+  void ContactKernel<2>::add_motion(const ContactPoint<2> &point,
+                                    const Motion          &moves,
+                                    const Traction<2>     &t,
+                                    FullMatrix<double>    &matrix,
+                                    const Vector<double>  &residual) const
+  {
+    const unsigned int n_u = 2 * point.n_nodes;
+    const unsigned int n_constraints =
+      (interface.has_friction(point) ? 2 : 1) * point.n_multipliers;
+    const Tensor<1, 2> along  = t.p * point.normal + t.q[0] * point.tangents[0];
+    const Tensor<1, 2> turned = t.q[0] * point.normal - t.p * point.tangents[0];
+    for (unsigned int j = 0; j < moves.columns.size(); ++j)
+      {
+        const unsigned int column = moves.columns[j];
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          for (unsigned int i = 0; i < 2; ++i)
+            matrix(2 * a + i, column) -=
+              point.weight *
+              (turned[i] * point.C[a] * moves.omega[j] +
+               along[i] * (moves.C(a, j) + point.C[a] * moves.weight[j]));
+        for (unsigned int k = n_u; k < n_u + n_constraints; ++k)
+          matrix(k, column) += moves.weight[j] * residual[k];
+      }
+  }
+
+
+
+  // Systems in space pair the points before each step.
+  template<>
+  ContactKernel<3>::Motion ContactKernel<3>::motion(const ContactPoint<3> &,
+                                                    const GhostedVector &,
+                                                    const GhostedVector &) const
+  {
+    AssertThrow(false, ExcNotImplemented());
+    return Motion();
+  }
+
+  template<>
+  void ContactKernel<3>::add_motion(const ContactPoint<3> &,
+                                    const Motion &,
+                                    Rows &) const
+  {
+    AssertThrow(false, ExcNotImplemented());
+  }
+
+  template<>
+  void ContactKernel<3>::add_motion(const ContactPoint<3> &,
+                                    const Motion &,
+                                    const Traction<3> &,
+                                    FullMatrix<double> &,
+                                    const Vector<double> &) const
+  {
+    AssertThrow(false, ExcNotImplemented());
+  }
+
+
+
+  template<int dim>
+  void ContactKernel<dim>::rows(const ContactPoint<dim>    &point,
+                                const GhostedVector        &solution,
+                                const GhostedVector        &u_start,
+                                const ContactLinearization &linearization,
+                                Rows                       &rows) const
+  {
+    rows.unknowns          = interface.unknowns_of(point);
+    const unsigned int n_u = dim * point.n_nodes;
+    const unsigned int n_m = point.n_multipliers;
+    rows.p_trial.reinit(rows.unknowns.size());
+    rows.load_p.reinit(rows.unknowns.size());
+    for (unsigned int t = 0; t < dim - 1; ++t)
+      {
+        rows.q_trial[t].reinit(rows.unknowns.size());
+        rows.load_q[t].reinit(rows.unknowns.size());
+      }
+
+    const double c = point.augmentation_parameter;
+    const double w = point.weight;
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          const unsigned int j = dim * a + i;
+          rows.p_trial[j]      = -c * point.C[a] * point.normal[i];
+          rows.load_p[j]       = -w * point.C[a] * point.normal[i];
+          if (interface.has_friction(point))
+            for (unsigned int t = 0; t < dim - 1; ++t)
+              {
+                rows.q_trial[t][j] = -c * point.C[a] * point.tangents[t][i];
+                rows.load_q[t][j]  = -w * point.C[a] * point.tangents[t][i];
+              }
+        }
+    interface.discretization.counters.tangential_rows +=
+      interface.has_friction(point);
+    for (unsigned int k = 0; k < n_m; ++k)
+      {
+        rows.p_trial[n_u + k] = point.psi[k];
+        rows.load_p[n_u + k]  = w * point.psi[k] / c;
+        if (interface.has_friction(point))
+          for (unsigned int t = 0; t < dim - 1; ++t)
+            {
+              const unsigned int j = n_u + (1 + t) * n_m + k;
+              rows.q_trial[t][j]   = point.psi[k];
+              rows.load_q[t][j]    = w * point.psi[k] / c;
+            }
+      }
+
+    if (linearization.moving_geometry && !interface.contact_pair(point).tied)
+      add_motion(point, motion(point, solution, u_start), rows);
+    for_free_motions(interface,
+                     point,
+                     [&](const unsigned int j,
+                         const auto        &node_by_way,
+                         const unsigned int) {
+                       rows.p_trial[j] = node_by_way(rows.p_trial);
+                       rows.load_p[j]  = node_by_way(rows.load_p);
+                       for (unsigned int t = 0; t < dim - 1; ++t)
+                         {
+                           rows.q_trial[t][j] = node_by_way(rows.q_trial[t]);
+                           rows.load_q[t][j]  = node_by_way(rows.load_q[t]);
+                         }
+                     });
+  }
+
+
+
+  template<int dim>
+  template<typename Visit>
+  void ContactKernel<dim>::for_constraints(const ContactPoint<dim> &point,
+                                           const Visit             &visit) const
+  {
+    const unsigned int n_u   = dim * point.n_nodes;
+    const unsigned int n_m   = point.n_multipliers;
+    const double       scale = point.weight / point.augmentation_parameter;
+    for (unsigned int k = 0; k < n_m; ++k)
+      for (unsigned int b = 0; b < (interface.has_friction(point) ? dim : 1);
+           ++b)
+        visit(n_u + b * n_m + k, k, b, scale);
+  }
+
+
+
+  // The constraints w psi_k (p - lambda)/c = 0 take the multipliers off.
+  template<int dim>
+  void ContactKernel<dim>::assemble_residual(const ContactPoint<dim> &point,
+                                             const ContactState<dim> &now,
+                                             const Traction<dim>     &t,
+                                             const Rows              &rows,
+                                             Vector<double> &residual) const
+  {
+    const unsigned int n = rows.unknowns.size();
+    residual.reinit(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        residual[i] = t.p * rows.load_p[i] + t.q[0] * rows.load_q[0][i];
+        for (unsigned int k = 1; k < dim - 1; ++k)
+          residual[i] += t.q[k] * rows.load_q[k][i];
+      }
+    for_constraints(point,
+                    [&](const unsigned int row,
+                        const unsigned int k,
+                        const unsigned int b,
+                        const double       scale) {
+                      const double lambda =
+                        b == 0 ? now.lambda_n : now.lambda_t[b - 1];
+                      residual[row] -= scale * point.psi[k] * lambda;
+                    });
+  }
+
+
+
+  template<int dim>
+  void
+  ContactKernel<dim>::assemble_matrix(const ContactPoint<dim>    &point,
+                                      const GhostedVector        &solution,
+                                      const GhostedVector        &u_start,
+                                      const ContactLinearization &linearization,
+                                      const Traction<dim>        &t,
+                                      const Rows                 &rows,
+                                      const Vector<double>       &residual,
+                                      FullMatrix<double>         &matrix) const
+  {
+    const unsigned int n   = rows.unknowns.size();
+    const unsigned int n_m = point.n_multipliers;
+    matrix.reinit(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        double by_p = t.dp_dp * rows.load_p[i] + t.dq_dp[0] * rows.load_q[0][i];
+        for (unsigned int k = 1; k < dim - 1; ++k)
+          by_p += t.dq_dp[k] * rows.load_q[k][i];
+        for (unsigned int j = 0; j < n; ++j)
+          matrix(i, j) = by_p * rows.p_trial[j] +
+                         t.dq_dq * rows.load_q[0][i] * rows.q_trial[0][j];
+        for (unsigned int k = 1; k < dim - 1; ++k)
+          for (unsigned int j = 0; j < n; ++j)
+            matrix(i, j) += t.dq_dq * rows.load_q[k][i] * rows.q_trial[k][j];
+      }
+    for_constraints(point,
+                    [&](const unsigned int row,
+                        const unsigned int k,
+                        const unsigned int,
+                        const double scale) {
+                      for (unsigned int l = 0; l < n_m; ++l)
+                        matrix(row, row - k + l) -=
+                          scale * point.psi[k] * point.psi[l];
+                    });
+
+    const bool acts =
+      point.status.kind != Status::open || !point.change.dofs.empty();
+    if (linearization.moving_geometry && !interface.contact_pair(point).tied &&
+        acts)
+      {
+        add_motion(point,
+                   motion(point, solution, u_start),
+                   t,
+                   matrix,
+                   residual);
+        for_free_motions(
+          interface,
+          point,
+          [&](const unsigned int j,
+              const auto        &node_by_way,
+              const unsigned int) {
+            for (unsigned int i = 0; i < n; ++i)
+              matrix(i, j) =
+                node_by_way([&](const unsigned int k) { return matrix(i, k); });
+            for (unsigned int i = 0; i < n; ++i)
+              matrix(j, i) =
+                node_by_way([&](const unsigned int k) { return matrix(k, i); });
+          });
+        add_turning_loads(interface, point, residual, matrix);
+      }
+  }
+
+
+
+  template<int dim>
+  void ContactKernel<dim>::assemble(const GhostedVector        &solution,
+                                    const GhostedVector        &u_start,
+                                    const ContactLinearization &linearization,
+                                    GhostedVector              &rhs,
+                                    SparseMatrix<double>       *matrix) const
+  {
+    const auto        &constraints = interface.discretization.constraints;
+    Rows               rows;
+    FullMatrix<double> local_matrix;
+    Vector<double>     local_rhs, none;
+    Vector<double>    &whole = matrix != nullptr ? rhs : none;
+    for (const auto q : interface.own_points())
+      {
+        const ContactPoint<dim> &point = interface.points()[q];
+        const ContactState<dim> now = interface.state(point, solution, u_start);
+        const Traction<dim>     t   = interface.traction(point,
+                                                   point.status,
+                                                   now.p_trial,
+                                                   now.q_trial,
+                                                   linearization.moving_bound);
+        this->rows(point, solution, u_start, linearization, rows);
+        assemble_residual(point, now, t, rows, local_rhs);
+        if (matrix != nullptr)
+          assemble_matrix(point,
+                          solution,
+                          u_start,
+                          linearization,
+                          t,
+                          rows,
+                          local_rhs,
+                          local_matrix);
+        local_rhs *= -1;
+        if (matrix == nullptr)
+          constraints.distribute_local_to_global(local_rhs, rows.unknowns, rhs);
+        else
+          constraints.distribute_local_to_global(local_matrix,
+                                                 local_rhs,
+                                                 rows.unknowns,
+                                                 *matrix,
+                                                 whole);
+      }
+    const bool is_first = Utilities::MPI::this_mpi_process(
+                            interface.discretization.communicator) == 0;
+    for (unsigned int k = 0; k < interface.free_motions().size(); ++k)
+      {
+        const FreeMotion &motion = *interface.free_motions()[k];
+        const auto        index  = interface.motion_index(k);
+        if (!motion.stays && is_first)
+          rhs[index] += motion.force;
+        if (matrix == nullptr)
+          continue;
+        interface.discretization.counters.free_motions += !motion.stays;
+        matrix->diag_element(index) +=
+          motion.stays ? 1 : interface.motion_spring(motion);
+      }
+  }
+
+  template class ContactKernel<2>;
+  template class ContactKernel<3>;
+} // namespace Contact

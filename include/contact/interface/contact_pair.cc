@@ -1,0 +1,424 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/interface/contact_pair.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/errors.h"
+#include "contact/mortar/face_mortar.h"
+#include "contact/mortar/mortar.h"
+#include "contact/obstacles/moving_obstacle.h"
+#include "contact/points/corner_points.h"
+#include "contact/surfaces/surface_checks.h"
+#include "parameters/formula.h"
+
+namespace Contact
+{
+  namespace
+  {
+    template<int dim>
+    Surface<dim> make_surface(const Discretization<dim> &discretization,
+                              const std::string         &name,
+                              const std::string         &entry)
+    {
+      return {discretization, discretization.mesh.boundary(name, entry), name};
+    }
+
+
+
+    template<int dim>
+    std::optional<Surface<dim>>
+    make_master(const Discretization<dim> &discretization,
+                const Parameters::Contact &parameters)
+    {
+      if (parameters.master.empty())
+        return {};
+      return make_surface(discretization,
+                          parameters.master,
+                          parameters.section() + "/Master");
+    }
+
+
+
+    template<int dim>
+    std::unique_ptr<Obstacle<dim>>
+    make_obstacle(const Parameters::Contact &parameters)
+    {
+      if (parameters.obstacle.empty())
+        return nullptr;
+      auto shape = Obstacle<dim>::create(parameters.obstacle.begin()->first,
+                                         parameters.obstacle.begin()->second);
+      if (parameters.obstacle_motion.empty() &&
+          parameters.obstacle_centre.empty() && !parameters.has_free_motion())
+        return shape;
+      return std::make_unique<MovingObstacle<dim>>(std::move(shape),
+                                                   parameters);
+    }
+
+
+
+    template<int dim>
+    std::unique_ptr<typename ContactPair<dim>::Interference>
+    make_interference(const Parameters::Contact &parameters)
+    {
+      auto interference =
+        std::make_unique<typename ContactPair<dim>::Interference>();
+      if (!parameters.interference.empty())
+        interference->at =
+          parse_history(parameters.interference,
+                        parameters.section() + "/Interference");
+      return interference;
+    }
+
+
+
+    // The slave nodes that supports hold along the normal, and alike the node
+    // of the master opposite, in the wall that both bodies are clamped in.
+    // There the surfaces keep their distance. The weighted gap of the node has
+    // the nodes around it as well, and they would have to bend for the polygons
+    // to agree: a pressure that grows without bound as the edges get shorter.
+    // At a corner that is so of all sides, or of none: in a plane of symmetry
+    // the end of a shaft is held along its axis, and its side is free.
+    template<int dim>
+    std::set<unsigned int>
+    nodes_held_with_master(const Surface<dim>        &slave,
+                           const Surface<dim>        &master,
+                           const Discretization<dim> &discretization)
+    {
+      std::set<unsigned int> held, free;
+      const auto             normals =
+        slave.facet_normals(GhostedVector(discretization.distribution));
+      for (unsigned int e = 0; e < slave.facets.size(); ++e)
+        for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+          {
+            const unsigned int      i      = slave.facets[e].nodes[a];
+            const SurfaceNode<dim> &node   = slave.nodes[i];
+            const Tensor<1, dim>   &normal = normals[e][a];
+            const double            h      = slave.reference_length(e);
+            const auto keeps_distance = [&](const SurfaceNode<dim> &other) {
+              if (!discretization.are_held_alike(node.dofs, other.dofs, normal))
+                return false;
+              const Tensor<1, dim> r = other.X - node.X;
+              return r.norm() < h && r * normal > -1e-8 * h &&
+                     (r - (r * normal) * normal).norm() < 1e-3 * h;
+            };
+            const bool is_held =
+              (discretization.normal_supports.hold(node.dofs) ||
+               std::any_of(node.dofs.begin(),
+                           node.dofs.end(),
+                           [&](const auto dof) {
+                             return discretization.is_fixed(dof);
+                           })) &&
+              std::any_of(master.nodes.begin(),
+                          master.nodes.end(),
+                          keeps_distance);
+            (is_held ? held : free).insert(i);
+          }
+      for (const unsigned int i : free)
+        held.erase(i);
+      return held;
+    }
+
+
+
+    std::vector<ContactPoint<2>>
+    make_points_of_gauss(const Surface<2>  &slave,
+                         const unsigned int n,
+                         MultiplierSpace   &multipliers)
+    {
+      return make_gauss_points(slave, n, multipliers);
+    }
+
+    std::vector<ContactPoint<3>> make_points_of_gauss(const Surface<3> &,
+                                                      const unsigned int,
+                                                      MultiplierSpace &)
+    {
+      throw InputError("the Gauss-point discretization is one for the plane",
+                       "Contact/Discretization",
+                       "take the mortar or the nodal discretization");
+    }
+  } // namespace
+
+
+
+  template<int dim>
+  ContactPair<dim>::ContactPair(const Discretization<dim> &discretization,
+                                const Elasticity<dim>     &elasticity,
+                                const Parameters::Contact &parameters)
+    : discretization(discretization)
+    , name(parameters.name)
+    , tied(parameters.tied)
+    , law{tied ? std::numeric_limits<double>::max() : parameters.tresca_limit,
+          parameters.friction_coefficient}
+    , slave(make_surface(discretization,
+                         parameters.slave,
+                         parameters.section() + "/Slave"))
+    , master(make_master(discretization, parameters))
+    , obstacle(make_obstacle<dim>(parameters))
+    , interference(make_interference<dim>(parameters))
+    , augmentation_parameter(parameters.augmentation_parameter)
+    , elasticity(elasticity)
+    , parameters(parameters)
+  {
+    const std::string section = parameters.section();
+    if (master)
+      check_surfaces(slave, *master, discretization, parameters);
+
+    for (const std::string &point : parameters.excluded_points)
+      {
+        const auto &dofs =
+          discretization.vertex_dofs
+            [discretization.mesh.point(point, section + "/Excluded points")];
+        const auto node =
+          std::find_if(slave.nodes.begin(),
+                       slave.nodes.end(),
+                       [&](const auto &node) { return node.dofs == dofs; });
+        if (node == slave.nodes.end())
+          throw InputError("the point '" + point + "' is not on the slave '" +
+                             parameters.slave + "'",
+                           "entry '" + section + "/Excluded points'",
+                           "name a vertex of the slave, or leave it out");
+        excluded.insert(node - slave.nodes.begin());
+      }
+    check_ties(slave,
+               master ? &*master : nullptr,
+               excluded,
+               discretization,
+               parameters);
+    const bool is_mortar =
+      master &&
+      parameters.discretization == Parameters::ContactDiscretization::mortar;
+    if (is_mortar && !tied)
+      excluded.merge(nodes_held_with_master(slave, *master, discretization));
+    // Over a ring, the shape function of degree 2 of a node on the axis has the
+    // integral zero: it has no dual function.
+    if (slave.degree == 2 && is_mortar)
+      for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+        if (discretization.is_on_axis(slave.nodes[i].X) &&
+            excluded.count(i) == 0)
+          on_axis.insert(i);
+  }
+
+
+
+  template<int dim>
+  ContactPair<dim>::~ContactPair() = default;
+
+
+
+  template<int dim>
+  bool ContactPair<dim>::can_have_corner_points() const
+  {
+    return master && !tied && has_point_per_multiplier();
+  }
+
+
+
+  template<int dim>
+  bool ContactPair<dim>::sees_ends() const
+  {
+    return can_have_corner_points() && has_ends(*master) &&
+           parameters.ends_are_corners;
+  }
+
+
+
+  template<int dim>
+  bool ContactPair<dim>::lacks_ends() const
+  {
+    return can_have_corner_points() && has_ends(*master) &&
+           !parameters.ends_are_corners;
+  }
+
+
+
+  // Not with glue, which the nodes of the discretization hold.
+  template<int dim>
+  void
+  ContactPair<dim>::make_axis_points(std::vector<ContactPoint<dim>> &points)
+  {
+    if (on_axis.empty() || tied)
+      return;
+    MultiplierSpace numbering;
+    auto            all = make_nodal_points(slave, {}, numbering);
+    for (const unsigned int node : on_axis)
+      {
+        multipliers.of_node[node] = multipliers.n_multipliers++;
+        ContactPoint<dim> &point  = all[numbering.of_node[node]];
+        point.multipliers[0]      = multipliers.of_node[node];
+        points.push_back(point);
+      }
+  }
+
+
+
+  // An obstacle has no edges to cut those of the slave by.
+  template<int dim>
+  std::vector<ContactPoint<dim>> ContactPair<dim>::make_discretization_points()
+  {
+    switch (parameters.discretization)
+      {
+        case Parameters::ContactDiscretization::nodal:
+          return make_nodal_points(slave, excluded, multipliers);
+        case Parameters::ContactDiscretization::gauss:
+          return make_points_of_gauss(slave,
+                                      parameters.n_gauss_points,
+                                      multipliers);
+        case Parameters::ContactDiscretization::mortar:
+          if (!master)
+            return make_nodal_points(slave, excluded, multipliers);
+          auto without_dual_function = excluded;
+          without_dual_function.insert(on_axis.begin(), on_axis.end());
+          mortar =
+            std::make_unique<MortarDiscretization<dim>>(slave,
+                                                        *master,
+                                                        discretization,
+                                                        without_dual_function);
+          return mortar->make_points(multipliers);
+      }
+    AssertThrow(false, ExcInternalError());
+    return {};
+  }
+
+
+
+  template<int dim>
+  std::vector<ContactPoint<dim>>
+  ContactPair<dim>::make_points(const unsigned int first_multiplier,
+                                const unsigned int first_point)
+  {
+    std::vector<ContactPoint<dim>> points = make_discretization_points();
+    n_of_discretization                   = points.size();
+    make_axis_points(points);
+    n_without_sides = points.size();
+    if (!tied && !law.is_frictionless())
+      mark_rims(slave, multipliers, discretization, points);
+    if (can_have_corner_points() && !mortar)
+      corner_sides.add_points(slave, multipliers, points);
+    if constexpr (dim == 2)
+      if (can_have_corner_points() && mortar)
+        mortar->add_side_points(multipliers, points);
+    if (obstacle && has_point_per_multiplier())
+      corners = find_corners(slave, multipliers, points);
+    n_of_slave = points.size();
+    if (can_have_corner_points())
+      for (ContactPoint<dim> &corner :
+           make_corner_points(*master, parameters.ends_are_corners))
+        {
+          corner.multipliers[0] = multipliers.n_multipliers++;
+          points.push_back(std::move(corner));
+        }
+
+    this->first_point      = first_point;
+    this->first_multiplier = first_multiplier;
+    n_points               = points.size();
+    for (unsigned int &k : multipliers.of_node)
+      if (k != numbers::invalid_unsigned_int)
+        k += first_multiplier;
+    for (auto &of_side : multipliers.of_sides)
+      of_side.first += first_multiplier;
+    for (ContactPoint<dim> &point : points)
+      {
+        for (unsigned int k = 0; k < point.n_multipliers; ++k)
+          point.multipliers[k] += first_multiplier;
+        point.augmentation_parameter =
+          augmentation_parameter * stiffness(point);
+        point.friction_bound = law.bound(0);
+      }
+    return points;
+  }
+
+
+
+  template<int dim>
+  double ContactPair<dim>::stiffness(const ContactPoint<dim> &point) const
+  {
+    const Surface<dim> &own = surface_of(point);
+    const double        of_own =
+      elasticity.youngs_modulus(own.facets[point.slave_facet].body);
+    const Surface<dim> *other = point.is_master_corner ? &slave
+                                : master               ? &*master
+                                                       : nullptr;
+    return (other ? std::min(of_own,
+                             elasticity.youngs_modulus(other->facets[0].body))
+                  : of_own) /
+           edge_length(point);
+  }
+
+
+
+  template<int dim>
+  const Surface<dim> &
+  ContactPair<dim>::surface_of(const ContactPoint<dim> &point) const
+  {
+    return point.is_master_corner ? *master : slave;
+  }
+
+
+
+  template<int dim>
+  double ContactPair<dim>::edge_length(const ContactPoint<dim> &point) const
+  {
+    return surface_of(point).reference_length(point.slave_facet);
+  }
+
+
+
+  // A parabola over the radius whose slope vanishes on the axis.
+  template<int dim>
+  std::vector<std::pair<unsigned int, double>>
+  ContactPair<dim>::pressure_at(const unsigned int node) const
+  {
+    const auto multiplier = [&](const unsigned int i) {
+      return multipliers.of_node[i];
+    };
+    const bool on_axis =
+      slave.degree == 2 &&
+      parameters.discretization != Parameters::ContactDiscretization::gauss &&
+      discretization.is_on_axis(slave.nodes[node].X);
+    if (on_axis)
+      for (const SurfaceFacet<dim> &edge : slave.facets)
+        for (unsigned int a = 0; a < 2; ++a)
+          if (edge.nodes[a] == node)
+            {
+              const unsigned int middle = multiplier(edge.nodes[2]);
+              const unsigned int end    = multiplier(edge.nodes[1 - a]);
+              if (middle != numbers::invalid_unsigned_int &&
+                  end != numbers::invalid_unsigned_int)
+                return {{middle, 4. / 3}, {end, -1. / 3}};
+            }
+    std::vector<std::pair<unsigned int, double>> parts;
+    for (const auto &[heir, part] : slave.heirs(node))
+      if (multiplier(heir) != numbers::invalid_unsigned_int)
+        parts.emplace_back(multiplier(heir), part);
+    return parts;
+  }
+
+
+
+  template<int dim>
+  bool ContactPair<dim>::has_point_per_multiplier() const
+  {
+    return parameters.has_point_per_multiplier();
+  }
+
+
+
+  template<int dim>
+  Point<dim> ContactPair<dim>::place(const ContactPoint<dim> &point) const
+  {
+    const Surface<dim>   &own = surface_of(point);
+    const FacetShape<dim> shape(own.degree, point.slave_xi);
+    Point<dim>            X;
+    for (unsigned int a = 0; a < own.n_nodes_per_facet(); ++a)
+      X += shape.value[a] * own.nodes[own.facets[point.slave_facet].nodes[a]].X;
+    return X;
+  }
+
+  template class ContactPair<2>;
+  template class ContactPair<3>;
+} // namespace Contact

@@ -1,0 +1,223 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_contact_pair_h
+#define contact_contact_pair_h
+
+#include <deal.II/base/array_view.h>
+
+#include <functional>
+#include <optional>
+
+#include "contact/obstacles/free_motion.h"
+#include "contact/obstacles/obstacle.h"
+#include "contact/points/contact_points.h"
+#include "contact/points/corner_sides.h"
+#include "solid/elasticity.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  template<int dim>
+  class MortarDiscretization;
+
+
+
+  /**
+   * Two surfaces that may touch, and what all points between them have in
+   * common: the discretization by which they are made and paired, and the law
+   * of friction. The master is a surface of a body, or a rigid obstacle.
+   *
+   * The points are those of the discretization, and behind them what it can not
+   * see: with the mortar discretization at degree 2 a nodal point for a node on
+   * an axis of symmetry, which has no dual function; with the nodal
+   * discretization the further sides of the slave's corners (corner_sides.h);
+   * with the discretizations mortar and nodal the corners of the master
+   * (corner_points.h).
+   *
+   * On an obstacle the nodal and mortar discretizations are one: of a gap that
+   * is linear along the edge, which it is over a half plane, the dual functions
+   * leave the value at the node.
+   */
+  template<int dim>
+  class ContactPair
+  {
+  public:
+    /// Throws InputError if the surfaces do not exist or have a common node.
+    ContactPair(const Discretization<dim> &discretization,
+                const Elasticity<dim>     &elasticity,
+                const Parameters::Contact &parameters);
+    ~ContactPair();
+
+    const Discretization<dim> &discretization;
+
+    /// The section of the parameters is "Contact" or "Contact NAME".
+    const std::string name;
+
+    /// The surfaces are glued wherever they face each other undeformed: every
+    /// such point sticks, and its gap is the change of the distance.
+    const bool        tied;
+    const FrictionLaw law;
+
+    const Surface<dim>                   slave;
+    const std::optional<Surface<dim>>    master;   // none: an obstacle
+    const std::unique_ptr<Obstacle<dim>> obstacle; // none: a surface
+
+    /// By how much the surfaces overlap otherwise than those of the mesh [mm].
+    struct Interference
+    {
+      std::function<double(const Point<1> &)>
+             at;      // by the load factor, if given
+      double now = 0; // what it is of that
+
+      /// The depth by which the surfaces of the mesh overlap, and the part of
+      /// it by which they are kept apart: see
+      /// ContactInterface::close_overlaps().
+      double at_start = 0, kept_apart = 0;
+
+      double added() const
+      {
+        return now - kept_apart;
+      }
+    };
+    const std::unique_ptr<Interference> interference;
+
+    /// Motions that follow from forces, and the number of the first one among
+    /// those of all contact pairs.
+    std::vector<std::unique_ptr<FreeMotion>> free_motions;
+    unsigned int                             first_motion = 0;
+
+    /// The c of all points, by the stiffness E/h of their slave edges [-].
+    const double augmentation_parameter;
+
+    /// Numbered among those of all contact pairs.
+    MultiplierSpace multipliers;
+
+    /// Their place among the points of all contact pairs.
+    unsigned int first_point = 0, n_points = 0;
+
+    /// The points, not paired yet, and their multipliers, behind those that
+    /// there are already.
+    std::vector<ContactPoint<dim>>
+    make_points(const unsigned int first_multiplier,
+                const unsigned int first_point);
+
+    /// Pair the points of this contact pair in the configuration @p u. Returns
+    /// whether one has other unknowns than before.
+    bool pair(const ArrayView<ContactPoint<dim>> &points,
+              const GhostedVector                &u,
+              const PairingMode                  &mode) const;
+
+    /// The same by the closest points of the master, wherever on the slave the
+    /// points lie.
+    bool project(const ArrayView<ContactPoint<dim>> &points,
+                 const GhostedVector                &u,
+                 const PairingMode                  &mode = {}) const;
+
+    /// The change of a pairing, for points in contact, if the mode asks for it.
+    void differentiate(ContactPoint<dim>   &point,
+                       const GhostedVector &u,
+                       const PairingMode   &mode) const;
+
+    /// The surface that a point belongs to: but for corners of the master, the
+    /// slave.
+    const Surface<dim> &surface_of(const ContactPoint<dim> &point) const;
+
+    /// The undeformed length of the edge that a point belongs to [mm].
+    double edge_length(const ContactPoint<dim> &point) const;
+
+    /// The stiffness E/h at a point [MPa/mm]: the softer body, the edge that
+    /// the point belongs to.
+    double stiffness(const ContactPoint<dim> &point) const;
+
+    /// Whether there are points at corners of the master.
+    bool has_corner_points() const
+    {
+      return n_of_slave < n_points;
+    }
+
+    /// Whether the ends of the master are such corners, and whether they are
+    /// not, though they could be.
+    bool sees_ends() const;
+    bool lacks_ends() const;
+
+    /// Whether the mortar discretization is asked for.
+    bool is_mortar() const
+    {
+      return parameters.discretization ==
+             Parameters::ContactDiscretization::mortar;
+    }
+
+    /// Each multiplier belongs to one point: nodal and mortar discretizations.
+    bool has_point_per_multiplier() const;
+
+    /**
+     * The normal multipliers that make the pressure at a node of the slave, and
+     * their factors; none if there is no pressure there. On an axis of symmetry
+     * at degree 2 no pressure at the node itself does work on the shape
+     * functions: there it is that of the neighbors, continued.
+     */
+    std::vector<std::pair<unsigned int, double>>
+    pressure_at(const unsigned int node) const;
+
+    /// The section of the parameters.
+    std::string section() const
+    {
+      return parameters.section();
+    }
+
+    /// The undeformed place of a point [mm].
+    Point<dim> place(const ContactPoint<dim> &point) const;
+
+  private:
+    bool                           can_have_corner_points() const;
+    std::vector<ContactPoint<dim>> make_discretization_points();
+    void make_axis_points(std::vector<ContactPoint<dim>> &points);
+    bool pair_all(const ArrayView<ContactPoint<dim>> &points,
+                  const GhostedVector                &u,
+                  const PairingMode                  &mode) const;
+    bool pair_with_sides(const ArrayView<ContactPoint<dim>> &points,
+                         const GhostedVector                &u,
+                         const PairingMode                  &mode) const;
+    bool project(const ArrayView<ContactPoint<dim>> &points,
+                 const GhostedVector                &u,
+                 const PairingMode                  &mode,
+                 const SurfaceSearch<dim>           &search,
+                 const FacetNormals<dim>            &normals) const;
+    bool pair_corners(const ArrayView<ContactPoint<dim>> &points,
+                      const GhostedVector                &u) const;
+
+    const Elasticity<dim>    &elasticity;
+    const Parameters::Contact parameters;
+    std::set<unsigned int>    excluded; // nodes of the slave
+    std::set<unsigned int>    on_axis;  // without a dual function
+    std::unique_ptr<MortarDiscretization<dim>> mortar;
+    CornerSides<dim>                           corner_sides;
+    std::vector<SlaveCorner>                   corners; // on an obstacle
+
+    /// Of the points those of the discretization, those with the ones on an
+    /// axis, and all that belong to the slave.
+    unsigned int n_of_discretization = 0, n_without_sides = 0, n_of_slave = 0;
+    unsigned int first_multiplier = 0;
+  };
+
+  template<>
+  bool ContactPair<2>::pair_corners(const ArrayView<ContactPoint<2>> &points,
+                                    const GhostedVector              &u) const;
+  template<>
+  bool ContactPair<3>::pair_corners(const ArrayView<ContactPoint<3>> &points,
+                                    const GhostedVector              &u) const;
+  template<>
+  void ContactPair<2>::differentiate(ContactPoint<2>     &point,
+                                     const GhostedVector &u,
+                                     const PairingMode   &mode) const;
+  template<>
+  void ContactPair<3>::differentiate(ContactPoint<3>     &point,
+                                     const GhostedVector &u,
+                                     const PairingMode   &mode) const;
+} // namespace Contact
+
+#endif

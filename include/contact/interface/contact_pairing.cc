@@ -1,0 +1,279 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// The part of ContactPair that pairs its points with the master.
+
+#include <algorithm>
+
+#include "contact/interface/contact_pair.h"
+#include "contact/mortar/face_mortar.h"
+#include "contact/mortar/mortar.h"
+#include "contact/points/corner_points.h"
+
+namespace Contact
+{
+  // Glued surfaces keep the pairs of the undeformed state.
+  template<int dim>
+  bool ContactPair<dim>::pair(const ArrayView<ContactPoint<dim>> &points,
+                              const GhostedVector                &u,
+                              const PairingMode                  &mode) const
+  {
+    if (mode.is_rest && !mortar)
+      return false;
+    if (!tied)
+      return pair_all(points, u, mode);
+    const bool changed = pair_all(points, u.zero(), {});
+    for (ContactPoint<dim> &point : points)
+      {
+        // Supports that hold the node in all directions are a wall and no plane
+        // of symmetry, across which there would be no shear.
+        if (point.facing &&
+            !is_free_along(point, 1, point.normal, discretization))
+          {
+            point.void_slips.clear();
+            point.tangential_row_is_void =
+              tangential_row_is_void(point, discretization);
+          }
+        if (!free_motions.empty())
+          point.motions = {{-point.normal, 0}};
+      }
+    return changed;
+  }
+
+
+
+  template<int dim>
+  bool ContactPair<dim>::pair_all(const ArrayView<ContactPoint<dim>> &points,
+                                  const GhostedVector                &u,
+                                  const PairingMode &mode) const
+  {
+    const auto part = [&](const unsigned int first, const unsigned int end) {
+      return ArrayView<ContactPoint<dim>>(points.data() + first, end - first);
+    };
+    // Surfaces that are kept apart push each other without touching.
+    PairingMode of_mortar = mode;
+    if (interference->added() != 0)
+      of_mortar.keeps_open_points = of_mortar.leaves_far_points = false;
+    const auto of_discretization = part(0, n_of_discretization);
+    const auto pair_by_mortar    = [&]() {
+      if constexpr (dim == 2)
+        return mortar->pair(of_discretization,
+                            u,
+                            of_mortar,
+                            part(n_without_sides, n_of_slave));
+      else
+        return mortar->pair(of_discretization, u, of_mortar);
+    };
+    bool changed = mortar ? pair_by_mortar()
+                   : corner_sides.is_empty()
+                     ? project(of_discretization, u, mode)
+                     : pair_with_sides(points, u, mode);
+    if (!corners.empty())
+      weigh(corners, slave.facet_normals(u), of_discretization);
+    if (n_of_discretization < n_without_sides)
+      changed =
+        project(part(n_of_discretization, n_without_sides), u, mode) || changed;
+    if (has_corner_points())
+      changed = pair_corners(points, u) || changed;
+
+    // A nodal point looks from its own place, where the corner is.
+    for (unsigned int q = n_of_slave; q < n_points; ++q)
+      if (const unsigned int node = node_at_foot(points[q], slave);
+          node != numbers::invalid_unsigned_int)
+        if (const unsigned int own =
+              multipliers.of_node[node] - first_multiplier;
+            own < n_of_slave && (!mortar || own >= n_of_discretization))
+          for (const unsigned int k :
+               corner_sides.same_as(points, own, -points[q].normal))
+            points[k].facing = false;
+    return changed;
+  }
+
+
+
+  // The sides may take what the nodes' own points have found.
+  template<int dim>
+  bool
+  ContactPair<dim>::pair_with_sides(const ArrayView<ContactPoint<dim>> &points,
+                                    const GhostedVector                &u,
+                                    const PairingMode &mode) const
+  {
+    std::vector<ContactPoint<dim> *> of_corners;
+    for (const auto &node : corner_sides.nodes)
+      {
+        of_corners.push_back(&points[node.own]);
+        for (unsigned int i = 0; i < node.sides.size(); ++i)
+          of_corners.push_back(&points[node.first + i]);
+      }
+    std::vector<PointPairing<dim>> before;
+    for (const ContactPoint<dim> *point : of_corners)
+      before.push_back(*point);
+
+    const SurfaceSearch<dim> search(*master, u);
+    const auto               normals = slave.facet_normals(u);
+    bool                     changed =
+      project({points.data(), n_of_discretization}, u, mode, search, normals);
+    corner_sides.pair(points,
+                      slave,
+                      *master,
+                      search,
+                      normals,
+                      discretization,
+                      u,
+                      mode.keeps_edges);
+    for (unsigned int k = 0; k < of_corners.size(); ++k)
+      {
+        differentiate(*of_corners[k], u, mode);
+        changed = changed || of_corners[k]->nodes != before[k].nodes;
+      }
+    return changed;
+  }
+
+
+
+  template<>
+  bool ContactPair<2>::pair_corners(const ArrayView<ContactPoint<2>> &points,
+                                    const GhostedVector              &u) const
+  {
+    // Whether a node of the slave edge sees the master.
+    const auto is_seen = [&](const ContactPoint<2> &corner) {
+      const auto &nodes = slave.facets[corner.master_facet].nodes;
+      return std::any_of(nodes.begin(),
+                         nodes.begin() + slave.n_nodes_per_facet(),
+                         [&](const unsigned int node) {
+                           const unsigned int k =
+                             multipliers.of_node[node] - first_multiplier;
+                           return k < n_of_slave && points[k].facing;
+                         });
+    };
+    const SurfaceSearch<2> search(slave, u);
+    const auto             normals = master->facet_normals(u);
+    bool                   changed = false;
+    for (unsigned int q = n_of_slave; q < n_points; ++q)
+      {
+        ContactPoint<2> &corner    = points[q];
+        const auto       old_nodes = corner.nodes;
+        pair_corner_point(corner,
+                          *master,
+                          normals,
+                          slave,
+                          search,
+                          discretization,
+                          u);
+        if (corner.facing && is_seen(corner) &&
+            lies_along_slave(corner, *master, normals))
+          corner.facing = false;
+        changed = changed || corner.nodes != old_nodes;
+      }
+    return changed;
+  }
+
+
+
+  template<>
+  bool ContactPair<3>::pair_corners(const ArrayView<ContactPoint<3>> &,
+                                    const GhostedVector &) const
+  {
+    return false;
+  }
+
+
+
+  template<int dim>
+  bool ContactPair<dim>::project(const ArrayView<ContactPoint<dim>> &points,
+                                 const GhostedVector                &u,
+                                 const PairingMode                  &mode) const
+  {
+    bool changed = false;
+    if (obstacle)
+      {
+        for (ContactPoint<dim> &point : points)
+          pair_with_obstacle(point, *obstacle, discretization, u);
+        discretization.counters.projections += points.size();
+        return changed;
+      }
+
+    return project(points,
+                   u,
+                   mode,
+                   SurfaceSearch<dim>(*master, u),
+                   slave.facet_normals(u));
+  }
+
+
+
+  template<int dim>
+  bool ContactPair<dim>::project(const ArrayView<ContactPoint<dim>> &points,
+                                 const GhostedVector                &u,
+                                 const PairingMode                  &mode,
+                                 const SurfaceSearch<dim>           &search,
+                                 const FacetNormals<dim> &normals) const
+  {
+    bool changed = false;
+    for (ContactPoint<dim> &point : points)
+      {
+        const auto old_nodes = point.nodes;
+        pair_with_master(point,
+                         directions_of(point, slave, normals),
+                         *master,
+                         search,
+                         discretization,
+                         u,
+                         mode.keeps_edges);
+        differentiate(point, u, mode);
+        changed = changed || point.nodes != old_nodes;
+
+        // If several points share multipliers, one that faces nothing pulls
+        // them to zero, as weakly as a spring of the stiffness c: it must not
+        // be the softer one beside points in contact.
+        if (!has_point_per_multiplier())
+          point.augmentation_parameter =
+            (point.facing ? augmentation_parameter : 1e3) * stiffness(point);
+      }
+    return changed;
+  }
+
+
+
+  // In the plane the kernel finds the derivatives.
+  template<>
+  void ContactPair<2>::differentiate(ContactPoint<2> &,
+                                     const GhostedVector &,
+                                     const PairingMode &) const
+  {
+  }
+
+
+
+  template<>
+  void ContactPair<3>::differentiate(ContactPoint<3>     &point,
+                                     const GhostedVector &u,
+                                     const PairingMode   &mode) const
+  {
+    point.change = PairingChange<3>();
+    if (!mode.with_derivatives || point.status.kind == Status::open)
+      return;
+    point.change = change_of_projection(point, *master, u);
+    if (!discretization.dof_handler.locally_owned_dofs().is_element(
+          point.dofs(0)[0]))
+      {
+        point.change.C.reinit(0, 0);
+        point.change.turn.clear();
+      }
+  }
+
+  template bool ContactPair<2>::pair(const ArrayView<ContactPoint<2>> &,
+                                     const GhostedVector &,
+                                     const PairingMode &) const;
+  template bool ContactPair<3>::pair(const ArrayView<ContactPoint<3>> &,
+                                     const GhostedVector &,
+                                     const PairingMode &) const;
+  template bool ContactPair<2>::project(const ArrayView<ContactPoint<2>> &,
+                                        const GhostedVector &,
+                                        const PairingMode &) const;
+  template bool ContactPair<3>::project(const ArrayView<ContactPoint<3>> &,
+                                        const GhostedVector &,
+                                        const PairingMode &) const;
+} // namespace Contact

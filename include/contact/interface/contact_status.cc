@@ -1,0 +1,434 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// The part of ContactInterface on the status of the points and on the bounds of
+// the shear.
+
+#include <algorithm>
+#include <limits>
+
+#include "base/exchange.h"
+#include "contact/interface/contact_interface.h"
+
+namespace Contact
+{
+  namespace
+  {
+    /// The direction of a shear traction that is not zero.
+    template<int dim>
+    typename PointStatus<dim>::Direction
+    direction_of(const Tensor<1, dim - 1> &q)
+    {
+      if constexpr (dim == 2)
+        return q[0] > 0 ? 1 : -1;
+      else
+        return q / q.norm();
+    }
+  } // namespace
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::initialize_status(const GhostedVector &u)
+  {
+    for (ContactPoint<dim> &point : all_points)
+      if (point.facing && !point.is_master_corner &&
+          state(point, u, u).gap <=
+            0.01 * contact_pair(point).edge_length(point))
+        point.status.kind = can_stick(point) ? Status::stick : Status::slip;
+    release_in_corners();
+  }
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::release_in_corners()
+  {
+    for (const auto &[q, others] : in_corner)
+      if (is_held_in_corner(q, [this](const unsigned int point) {
+            return all_points[point].status;
+          }))
+        all_points[q].status = {Status::slip, {}};
+    hold_in_corners();
+  }
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::hold_in_corners()
+  {
+    if (dim == 3)
+      for (const auto &[q, others] : in_corner)
+        all_points[q].held_slips =
+          slips_held_in_corner(q, [this](const unsigned int point) {
+            return all_points[point].status;
+          });
+  }
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::activate_nearest(const GhostedVector &u)
+  {
+    if (count().active == 0)
+      activate_nearest(0, all_points.size(), u);
+  }
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::activate_nearest(const unsigned int   first,
+                                               const unsigned int   n,
+                                               const GhostedVector &u)
+  {
+    const ArrayView<ContactPoint<dim>> points(all_points.data() + first, n);
+    double smallest = std::numeric_limits<double>::max();
+    for (const ContactPoint<dim> &point : points)
+      if (point.facing)
+        smallest = std::min(smallest, state(point, u, u).gap);
+    const auto close = [&](const bool corners) {
+      bool is_active = false;
+      for (ContactPoint<dim> &point : points)
+        if (point.facing && point.is_master_corner == corners &&
+            state(point, u, u).gap - smallest <=
+              0.01 * contact_pair(point).edge_length(point))
+          {
+            point.status.kind = can_stick(point) ? Status::stick : Status::slip;
+            is_active         = true;
+          }
+      return is_active;
+    };
+    if (!close(false))
+      close(true);
+    release_in_corners();
+  }
+
+
+
+  // What supports move along the surface slips, in whatever other directions it
+  // could stick.
+  template<int dim>
+  bool ContactInterface<dim>::can_stick(const ContactPoint<dim> &point) const
+  {
+    return has_friction(point) && !point.tangential_row_is_void &&
+           slip_of_supports(point) == Tensor<1, dim - 1>();
+  }
+
+
+
+  template<int dim>
+  Tensor<1, dim - 1>
+  ContactInterface<dim>::slip_of_supports(const ContactPoint<dim> &point) const
+  {
+    if (!has_friction(point) || contact_pair(point).tied ||
+        support_motion.size() == 0)
+      return {};
+    return prescribed_slip(point, discretization, support_motion);
+  }
+
+
+
+  // What stuck before begins to slip.
+  template<int dim>
+  void ContactInterface<dim>::set_support_motion(const GhostedVector &motion)
+  {
+    support_motion = motion;
+    for (ContactPoint<dim> &point : all_points)
+      if (point.status.kind == Status::stick && !contact_pair(point).tied &&
+          !can_stick(point))
+        point.status = {Status::slip, prescribed_direction(point, {})};
+  }
+
+
+
+  // Where supports leave a direction free, the shear says how the slip turns.
+  // Where they leave none and rest, the last slip goes on.
+  template<int dim>
+  typename PointStatus<dim>::Direction
+  ContactInterface<dim>::prescribed_direction(
+    const ContactPoint<dim>  &point,
+    const Tensor<1, dim - 1> &q_trial) const
+  {
+    if (!has_friction(point) || contact_pair(point).tied ||
+        support_motion.size() == 0)
+      return {};
+    if (!point.tangential_row_is_void && q_trial.norm() > 0)
+      return direction_of<dim>(q_trial);
+    const Tensor<1, dim - 1> slip = slip_of_supports(point);
+    return slip.norm() > 0 ? direction_of<dim>(-slip)
+                           : point.status.slip_direction;
+  }
+
+
+
+  template<int dim>
+  double ContactInterface<dim>::update_bounds(const GhostedVector &solution,
+                                              const GhostedVector &u_start)
+  {
+    double change = 0, largest = 0;
+    for (ContactPoint<dim> &point : all_points)
+      {
+        if (contact_pair(point).tied)
+          continue;
+        const FrictionLaw &law = contact_pair(point).law;
+        const double       bound =
+          point.status.kind == Status::open
+                  ? law.bound(0)
+                  : law.bound(state(point, solution, u_start).p_trial);
+        change  = std::max(change, std::abs(bound - point.friction_bound));
+        largest = std::max(largest, bound);
+        point.friction_bound = bound;
+      }
+    return largest > 0 ? change / largest : 0;
+  }
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::raise_unknown_bounds()
+  {
+    for (ContactPoint<dim> &point : all_points)
+      if (contact_pair(point).law.coulomb_coefficient > 0 &&
+          point.friction_bound == 0)
+        point.friction_bound = std::numeric_limits<double>::max();
+  }
+
+
+
+  template<int dim>
+  Vector<double> ContactInterface<dim>::bounds() const
+  {
+    Vector<double> bounds(all_points.size());
+    for (unsigned int q = 0; q < all_points.size(); ++q)
+      bounds[q] = all_points[q].friction_bound;
+    return bounds;
+  }
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::set_bounds(const Vector<double> &bounds)
+  {
+    for (unsigned int q = 0; q < all_points.size(); ++q)
+      all_points[q].friction_bound = bounds[q];
+  }
+
+
+
+  // Slip turns round by way of sticking: where all points of a body slip, none
+  // would hold it, whichever way they do.
+  template<int dim>
+  PointStatus<dim>
+  ContactInterface<dim>::updated_status(const ContactPoint<dim>  &point,
+                                        const PointStatus<dim>   &before,
+                                        const double              p_trial,
+                                        const Tensor<1, dim - 1> &q_trial,
+                                        const bool moving_bound) const
+  {
+    if (!point.facing || (!contact_pair(point).tied && p_trial <= 0))
+      return {Status::open, {}};
+    if (!can_stick(point))
+      return {Status::slip, prescribed_direction(point, q_trial)};
+
+    const double bound = moving_bound ? contact_pair(point).law.bound(p_trial)
+                                      : point.friction_bound;
+    if (q_trial.norm() <= bound || q_trial * before.direction() < 0)
+      return {Status::stick, {}};
+    return {Status::slip, direction_of<dim>(q_trial)};
+  }
+
+
+
+  template<int dim>
+  Traction<dim>
+  ContactInterface<dim>::traction(const ContactPoint<dim>  &point,
+                                  const PointStatus<dim>   &status,
+                                  const double              p_trial,
+                                  const Tensor<1, dim - 1> &q_trial,
+                                  const bool                moving_bound) const
+  {
+    Traction<dim> traction;
+    if (status.kind == Status::open)
+      return traction;
+
+    traction.p     = p_trial;
+    traction.dp_dp = 1;
+    if (status.kind == Status::stick)
+      {
+        traction.q     = q_trial;
+        traction.dq_dq = 1;
+      }
+    else if (moving_bound)
+      {
+        traction.q =
+          status.direction() * contact_pair(point).law.bound(p_trial);
+        traction.dq_dp = status.direction() *
+                         contact_pair(point).law.bound_derivative(p_trial);
+      }
+    else
+      traction.q = status.direction() * point.friction_bound;
+    return traction;
+  }
+
+
+
+  // From step to step a point knows its last status: slip turns round by way
+  // of sticking. Under bounds that are frozen the problem is convex, and slip
+  // turns round at once.
+  template<int dim>
+  PointStatus<dim>
+  ContactInterface<dim>::status_in(const ContactPoint<dim> &point,
+                                   const GhostedVector     &solution,
+                                   const GhostedVector     &u_start,
+                                   const bool               moving_bound) const
+  {
+    const ContactState<dim> now = state(point, solution, u_start);
+    return updated_status(point,
+                          moving_bound ? point.status : PointStatus<dim>(),
+                          now.p_trial,
+                          now.q_trial,
+                          moving_bound);
+  }
+
+
+
+  template<int dim>
+  unsigned int
+  ContactInterface<dim>::update_statuses(const GhostedVector &solution,
+                                         const GhostedVector &u_start,
+                                         const bool           moving_bound,
+                                         const bool           keep)
+  {
+    std::vector<PointStatus<dim>> of_rank;
+    for (const auto q : own)
+      of_rank.push_back(
+        status_in(all_points[q], solution, u_start, moving_bound));
+    std::vector<PointStatus<dim>> updated =
+      gathered(of_rank, discretization.communicator);
+    for (const auto &[q, others] : in_corner)
+      if (is_held_in_corner(q, [&](const unsigned int point) {
+            return updated[point];
+          }))
+        updated[q] = {Status::slip, {}};
+
+    unsigned int n_changes = 0;
+    for (unsigned int q = 0; q < all_points.size(); ++q)
+      n_changes += !(updated[q] == all_points[q].status);
+    if (keep)
+      set_statuses(updated);
+    return n_changes;
+  }
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::update_first_status(const GhostedVector &solution,
+                                                  const GhostedVector &u_start,
+                                                  const bool moving_bound)
+  {
+    for (unsigned int q = 0; q < all_points.size(); ++q)
+      {
+        ContactPoint<dim>     &point  = all_points[q];
+        const PointStatus<dim> before = point.status;
+        point.status = status_in(point, solution, u_start, moving_bound);
+        release_in_corners();
+        if (point.status == before)
+          continue;
+        if (!moving_bound && point.status.kind == Status::open)
+          reset_bound(q);
+        return;
+      }
+  }
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::set_bound(const unsigned int point,
+                                        const double       bound)
+  {
+    all_points[point].friction_bound = bound;
+  }
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::reset_bound(const unsigned int point)
+  {
+    all_points[point].friction_bound =
+      contact_pair(all_points[point]).law.bound(0);
+  }
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::reset_bounds_of_open_points()
+  {
+    for (unsigned int q = 0; q < all_points.size(); ++q)
+      if (all_points[q].status.kind == Status::open)
+        reset_bound(q);
+  }
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::release_parted(const GhostedVector &solution)
+  {
+    for (ContactPoint<dim> &point : all_points)
+      if (!contact_pair(point).tied &&
+          state(point, solution, solution).p_trial <= 0)
+        point.status = PointStatus<dim>();
+    hold_in_corners();
+  }
+
+
+
+  template<int dim>
+  std::vector<PointStatus<dim>> ContactInterface<dim>::statuses() const
+  {
+    std::vector<PointStatus<dim>> all;
+    for (const ContactPoint<dim> &point : all_points)
+      all.push_back(point.status);
+    return all;
+  }
+
+
+
+  template<int dim>
+  void
+  ContactInterface<dim>::set_statuses(const std::vector<PointStatus<dim>> &all)
+  {
+    for (unsigned int q = 0; q < all_points.size(); ++q)
+      all_points[q].status = all[q];
+    hold_in_corners();
+  }
+
+
+
+  template<int dim>
+  std::vector<signed char> ContactInterface<dim>::signature() const
+  {
+    std::vector<signed char> signature;
+    for (const ContactPoint<dim> &point : all_points)
+      signature.push_back(point.status.code());
+    return signature;
+  }
+
+
+
+  template<int dim>
+  StatusCount ContactInterface<dim>::count() const
+  {
+    StatusCount count;
+    for (const ContactPoint<dim> &point : all_points)
+      {
+        count.active += point.status.kind != Status::open;
+        count.stick += point.status.kind == Status::stick;
+      }
+    return count;
+  }
+
+  template class ContactInterface<2>;
+  template class ContactInterface<3>;
+} // namespace Contact

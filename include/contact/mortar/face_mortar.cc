@@ -1,0 +1,458 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/mortar/face_mortar.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+namespace Contact
+{
+  namespace
+  {
+    /// Values that belong to nodes, those of hanging ones handed over to the
+    /// nodes that they follow.
+    template<typename Map, typename Value>
+    boost::container::flat_map<unsigned int, double>
+    followed(const Surface<3> &surface, const Map &of, const Value &value_of)
+    {
+      boost::container::flat_map<unsigned int, double> values;
+      values.reserve(of.size());
+      for (const auto &[node, integrals] : of)
+        if (surface.leaders[node].empty())
+          values[node] += value_of(integrals);
+        else
+          for (const auto &[leader, part] : surface.leaders[node])
+            values[leader] += part * value_of(integrals);
+      return values;
+    }
+
+
+
+    double itself(const double value)
+    {
+      return value;
+    }
+
+
+
+    using Clock = std::chrono::steady_clock;
+
+    double seconds_since(const Clock::time_point start)
+    {
+      return std::chrono::duration<double>(Clock::now() - start).count();
+    }
+  } // namespace
+
+
+
+  MortarDiscretization<3>::MortarDiscretization(
+    const Surface<3>             &slave,
+    const Surface<3>             &master,
+    const Discretization<3>      &discretization,
+    const std::set<unsigned int> &excluded)
+    : slave(slave)
+    , master(master)
+    , discretization(discretization)
+    , excluded(excluded)
+    , planes(slave, master, discretization)
+    , slave_bends(planes.bends(slave))
+    , master_bends(planes.bends(master))
+    , face_integrals(slave, master, excluded, master_bends)
+  {
+  }
+
+
+
+  std::vector<ContactPoint<3>>
+  MortarDiscretization<3>::make_points(MultiplierSpace &multipliers) const
+  {
+    return make_nodal_points(slave, excluded, multipliers);
+  }
+
+
+
+  unsigned int
+  MortarDiscretization<3>::slave_node(const ContactPoint<3> &point) const
+  {
+    const auto  &nodes = slave.facets[point.slave_facet].nodes;
+    unsigned int a     = 0;
+    while (!(node_place<3>(a) == point.slave_xi))
+      ++a;
+    return nodes[a];
+  }
+
+
+
+  std::vector<double>
+  MortarDiscretization<3>::motion(const GhostedVector &u) const
+  {
+    std::vector<double> values;
+    if (u.size() == 0)
+      return values;
+    for (const Surface<3> *surface : {&slave, &master})
+      for (const SurfaceNode<3> &node : surface->nodes)
+        for (const auto dof : node.dofs)
+          values.push_back(u[dof]);
+    return values;
+  }
+
+
+
+  bool MortarDiscretization<3>::pair(const ArrayView<ContactPoint<3>> &points,
+                                     const GhostedVector              &u,
+                                     const PairingMode &mode) const
+  {
+    std::vector<PointPairing<3>::PerNode<const SurfaceNode<3> *>> old_nodes;
+    for (const ContactPoint<3> &point : points)
+      old_nodes.push_back(point.nodes);
+    const auto numbers = keep_pairings(points, u, mode);
+    if (!numbers.empty())
+      pair_anew(points, numbers, u, mode.with_derivatives);
+    for (const unsigned int q : numbers)
+      {
+        last.weights[q]         = points[q].weight;
+        last.pairings[q]        = points[q];
+        last.pairings[q].change = PairingChange<3>();
+        last.is_present[q]      = true;
+      }
+    return !std::equal(points.begin(),
+                       points.end(),
+                       old_nodes.begin(),
+                       [](const ContactPoint<3> &point, const auto &old) {
+                         return point.nodes == old;
+                       });
+  }
+
+
+
+  std::vector<unsigned int> MortarDiscretization<3>::keep_pairings(
+    const ArrayView<ContactPoint<3>> &points,
+    const GhostedVector              &u,
+    const PairingMode                &mode) const
+  {
+    const bool          is_known = last.pairings.size() == points.size();
+    std::vector<double> now      = motion(u);
+    if (!is_known || now != last.motion)
+      last.is_present.assign(points.size(), false);
+    last.motion = std::move(now);
+    last.weights.resize(points.size());
+    last.pairings.resize(points.size());
+
+    std::vector<bool> touches;
+    if (is_known && mode.keeps_open_points)
+      touches = may_touch(u, 0);
+    const auto stays_open = [&](const unsigned int q) {
+      const PointPairing<3> &pairing = last.pairings[q];
+      if (touches.empty() || touches[slave_node(points[q])] ||
+          !points[q].motions.empty())
+        return false;
+      Tensor<1, 3> r = -pairing.projection;
+      for (unsigned int a = 0; a < pairing.n_nodes; ++a)
+        for (unsigned int i = 0; i < 3; ++i)
+          r[i] += pairing.C[a] * (pairing.X(a)[i] + u[pairing.dofs(a)[i]]);
+      return !pairing.facing || pairing.normal * r > 0;
+    };
+
+    std::vector<unsigned int> others;
+    for (unsigned int q = 0; q < points.size(); ++q)
+      {
+        if (mode.is_rest && last.is_present[q])
+          continue;
+        points[q].change   = PairingChange<3>();
+        const bool is_open = points[q].status.kind == Status::open;
+        const bool has_all = !mode.with_derivatives || is_open;
+        if ((last.is_present[q] && has_all) || (is_open && stays_open(q)))
+          {
+            const auto motions                        = points[q].motions;
+            points[q].weight                          = last.weights[q];
+            static_cast<PointPairing<3> &>(points[q]) = last.pairings[q];
+            points[q].motions                         = motions;
+          }
+        else
+          others.push_back(q);
+      }
+    return !is_known && mode.leaves_far_points
+             ? leave_far_points(points, others, u)
+             : others;
+  }
+
+
+
+  std::vector<unsigned int> MortarDiscretization<3>::leave_far_points(
+    const ArrayView<ContactPoint<3>> &points,
+    const std::vector<unsigned int>  &numbers,
+    const GhostedVector              &u) const
+  {
+    double size = 0;
+    for (unsigned int e = 0; e < slave.facets.size(); ++e)
+      size = std::max(size, slave.reference_length(e));
+    const std::vector<bool>   is_close = may_touch(u, size);
+    const FaceConfiguration   now(slave, master, planes, u);
+    std::vector<unsigned int> close;
+    for (const unsigned int q : numbers)
+      if (is_close[slave_node(points[q])] || !points[q].motions.empty())
+        close.push_back(q);
+      else
+        {
+          fill_in(NodeIntegrals(), slave_node(points[q]), now, u, points[q]);
+          last.weights[q]  = points[q].weight;
+          last.pairings[q] = points[q];
+        }
+    return close;
+  }
+
+
+
+  std::vector<bool>
+  MortarDiscretization<3>::may_touch(const GhostedVector &u,
+                                     const double         distance) const
+  {
+    const SurfaceSearch<3> of_slave(slave, u), of_master(master, u);
+    const auto             facets = of_master.may_be_close(of_slave, distance);
+    std::vector<bool>      nodes(slave.nodes.size(), false);
+    for (unsigned int e = 0; e < slave.facets.size(); ++e)
+      if (facets[e])
+        for (const unsigned int node : face_integrals.carriers_of(e))
+          nodes[node] = true;
+    return nodes;
+  }
+
+
+
+  void
+  MortarDiscretization<3>::pair_anew(const ArrayView<ContactPoint<3>> &points,
+                                     const std::vector<unsigned int>  &numbers,
+                                     const GhostedVector              &u,
+                                     const bool with_derivatives) const
+  {
+    if (!point_shares)
+      point_shares.emplace(points.size(), discretization.communicator);
+    std::vector<bool> changes(points.size(), false);
+    for (const unsigned int q : numbers)
+      changes[q] = with_derivatives && points[q].status.kind != Status::open;
+    const std::vector<unsigned int> own = point_shares->own(numbers, changes);
+    std::vector<bool>               is_own(slave.nodes.size(), false);
+    for (const unsigned int q : own)
+      is_own[slave_node(points[q])] = true;
+
+    const FaceConfiguration                now(slave, master, planes, u);
+    FaceSegments                           segments(slave, master, now);
+    std::vector<NodeIntegrals>             of_nodes(slave.nodes.size());
+    std::vector<float>                     seconds(slave.nodes.size(), 0);
+    std::vector<std::vector<Tensor<1, 3>>> distances(slave.facets.size());
+    for (const unsigned int q : own)
+      if (changes[q])
+        of_nodes[slave_node(points[q])].change.emplace();
+    for (unsigned int e = 0; e < slave.facets.size(); ++e)
+      {
+        std::vector<unsigned int> carriers;
+        for (const unsigned int node : face_integrals.carriers_of(e))
+          if (is_own[node])
+            carriers.push_back(node);
+        if (carriers.empty())
+          continue;
+        const auto  start   = Clock::now();
+        const auto &samples = segments.samples(e);
+        discretization.counters.projections += samples.size();
+        face_integrals.add(e, samples, now, distances[e], of_nodes);
+        const double of_each = seconds_since(start) / carriers.size();
+        for (const unsigned int node : carriers)
+          seconds[node] += of_each;
+      }
+
+    std::vector<float> of_points(points.size(), 0);
+    for (const unsigned int q : own)
+      {
+        const unsigned int node  = slave_node(points[q]);
+        const auto         start = Clock::now();
+        fill_in(of_nodes[node], node, now, u, points[q]);
+        if (of_nodes[node].change && points[q].facing)
+          differentiate(of_nodes[node], node, now, points[q]);
+        of_points[q] = seconds[node] + seconds_since(start);
+      }
+    point_shares
+      ->exchange(points, slave, master, numbers, own, changes, of_points);
+  }
+
+
+
+  void MortarDiscretization<3>::fill_in(const NodeIntegrals     &integrals,
+                                        const unsigned int       node,
+                                        const FaceConfiguration &now,
+                                        const GhostedVector     &u,
+                                        ContactPoint<3>         &point) const
+  {
+    const double length = slave.reference_length(point.slave_facet);
+    point.keep_nodes(0);
+    point.projection = Point<3>();
+    point.facing     = integrals.weight > 0;
+    point.normal     = normal(integrals, node, now);
+    if (!point.facing)
+      {
+        point.weight = face_integrals.shares_of(point.slave_facet)[0];
+        point.add_node(slave.nodes[node], 1);
+        point.n_slave_nodes = 1;
+        set_tangents(point);
+        return;
+      }
+
+    point.weight = integrals.weight;
+    add_nodes(integrals, node, point);
+    point.projection = bulge(integrals);
+    make_symmetric(point, discretization, u, 1e-6 * length);
+    const Tensor<1, 3> r = move_feet(integrals, now, point);
+
+    // A mean with weights of either sign is no less than the least of the
+    // distances, which at a corner of the slave is that of the node itself; a
+    // ten-thousandth of a facet is left to it.
+    double smallest = std::numeric_limits<double>::max();
+    for (const auto *of_facet : integrals.distances)
+      for (const Tensor<1, 3> &distance : *of_facet)
+        smallest = std::min(smallest, distance * point.normal);
+    const double excess = r * point.normal - smallest + 1e-4 * length;
+    if (excess < 0)
+      point.projection += excess * point.normal;
+    point.tangential_row_is_void =
+      tangential_row_is_void(point, discretization);
+    skip_where_held(point, discretization, u);
+  }
+
+
+
+  // Of the facets around the node, and of the master; which of the two counts
+  // more is the one that bends less.
+  Tensor<1, 3>
+  MortarDiscretization<3>::normal(const NodeIntegrals     &integrals,
+                                  const unsigned int       node,
+                                  const FaceConfiguration &now) const
+  {
+    Tensor<1, 3> slave_normal;
+    for (const unsigned int e : slave.facets_of_node[node])
+      {
+        const auto &nodes = slave.facets[e].nodes;
+        slave_normal +=
+          now.slave_normals[e][std::find(nodes.begin(), nodes.end(), node) -
+                               nodes.begin()];
+      }
+    slave_normal /= slave_normal.norm();
+
+    const double of_slave = slave_bends[node];
+    const double flat     = 1e-8;
+    if (integrals.weight <= 0 || of_slave <= flat)
+      return -slave_normal;
+    const double of_master =
+      std::max(0., integrals.master_bend / integrals.weight);
+    const Tensor<1, 3> sum = -of_master * of_master * slave_normal +
+                             of_slave * of_slave * integrals.master_normal /
+                               integrals.master_normal.norm();
+    return sum / sum.norm();
+  }
+
+
+
+  // Biorthogonality leaves round-off where the coefficient is zero. What hangs
+  // is replaced by what it follows.
+  void MortarDiscretization<3>::add_nodes(const NodeIntegrals &integrals,
+                                          const unsigned int   node,
+                                          ContactPoint<3>     &point) const
+  {
+    const double round_off = 1e-10;
+    const auto value_of = [](const OfMaster &of_node) { return of_node.value; };
+    const auto add      = [&](const SurfaceNode<3> &of, const double integral) {
+      point.add_node(of, integral / integrals.weight);
+    };
+    const auto of_slave  = followed(slave, integrals.slave, itself);
+    const auto of_master = followed(master, integrals.master, value_of);
+    add(slave.nodes[node], of_slave.at(node));
+    for (const auto &[a, integral] : of_slave)
+      if (a != node && std::abs(integral) > round_off * integrals.weight)
+        add(slave.nodes[a], integral);
+    point.n_slave_nodes = point.n_nodes;
+    for (const auto &[m, integral] : of_master)
+      add(master.nodes[m], -integral);
+  }
+
+
+
+  // On round boundaries a hanging node is beside the side that it follows, as
+  // the displacement of the undeformed body says nothing of.
+  Point<3> MortarDiscretization<3>::bulge(const NodeIntegrals &integrals) const
+  {
+    Point<3>   sum;
+    const auto add = [&](const Surface<3>  &surface,
+                         const unsigned int node,
+                         const double       integral) {
+      if (surface.leaders[node].empty())
+        return;
+      Tensor<1, 3> beside(surface.nodes[node].X);
+      for (const auto &[leader, part] : surface.leaders[node])
+        beside -= part * Tensor<1, 3>(surface.nodes[leader].X);
+      sum -= integral / integrals.weight * beside;
+    };
+    for (const auto &[a, integral] : integrals.slave)
+      add(slave, a, integral);
+    for (const auto &[m, of_node] : integrals.master)
+      add(master, m, -of_node.value);
+    return sum;
+  }
+
+
+
+  // Facets that are far from tangential to the point do not carry it along.
+  Tensor<2, 3>
+  MortarDiscretization<3>::way_of_feet(const NodeIntegrals     &integrals,
+                                       const FaceConfiguration &now,
+                                       const ContactPoint<3>   &point) const
+  {
+    Tensor<2, 3> moves; // of x_master by tau
+    for (const auto &[m, of_node] : integrals.master)
+      moves += outer_product(Tensor<1, 3>(now.master_x[m]), of_node.gradient) /
+               integrals.weight;
+    Tensor<2, 2> E;
+    for (unsigned int i = 0; i < 2; ++i)
+      for (unsigned int j = 0; j < 2; ++j)
+        E[i][j] = point.tangents[i] * (moves * point.tangents[j]);
+
+    // One, where the master is smooth.
+    const double smallest = 0.1;
+    Tensor<2, 3> way;
+    if (determinant(E) <= smallest)
+      return way;
+    const Tensor<2, 2> inverse = invert(E);
+    for (unsigned int i = 0; i < 2; ++i)
+      for (unsigned int j = 0; j < 2; ++j)
+        way +=
+          inverse[i][j] * outer_product(point.tangents[i], point.tangents[j]);
+    return way;
+  }
+
+
+
+  // Returns the rest of the distance.
+  Tensor<1, 3>
+  MortarDiscretization<3>::move_feet(const NodeIntegrals     &integrals,
+                                     const FaceConfiguration &now,
+                                     ContactPoint<3>         &point) const
+  {
+    Tensor<1, 3> r;
+    for (const auto &[a, integral] : integrals.slave)
+      r += integral / integrals.weight * now.slave_x[a];
+    for (const auto &[m, of_node] : integrals.master)
+      r -= of_node.value / integrals.weight * now.master_x[m];
+    const Tensor<1, 3> tau       = way_of_feet(integrals, now, point) * r;
+    const auto         change_of = [&](const OfMaster &of_node) {
+      return of_node.gradient * tau / integrals.weight;
+    };
+    for (const auto &[m, of_node] : integrals.master)
+      r -= change_of(of_node) * now.master_x[m];
+    unsigned int a = point.n_slave_nodes;
+    for (const auto &[m, change] :
+         followed(master, integrals.master, change_of))
+      point.C[a++] -= change;
+    return r;
+  }
+} // namespace Contact

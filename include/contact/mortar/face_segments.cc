@@ -1,0 +1,566 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/mortar/face_segments.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace Contact
+{
+  /// The parts of a facet that are projected as quadrangles: one, or at degree
+  /// 2 four. Their corners are nodes of the facet.
+  struct FacetPart
+  {
+    std::array<unsigned int, 4> corners;
+    Point<2>                    middle; // in the coordinates of the facet
+    double                      scale;  // of the coordinates of the part
+  };
+
+
+
+  namespace
+  {
+    const std::vector<FacetPart> &parts_of_facet(const unsigned int degree)
+    {
+      static const std::vector<FacetPart> one{{{{0, 1, 2, 3}}, Point<2>(), 1}};
+      static const std::vector<FacetPart> four{
+        {{{0, 6, 4, 8}}, Point<2>(-0.5, -0.5), 0.5},
+        {{{6, 1, 8, 5}}, Point<2>(0.5, -0.5), 0.5},
+        {{{4, 8, 2, 7}}, Point<2>(-0.5, 0.5), 0.5},
+        {{{8, 5, 7, 3}}, Point<2>(0.5, 0.5), 0.5}};
+      return degree == 1 ? one : four;
+    }
+
+
+
+    PlaneQuadrangle project(const ProjectionPlane               &plane,
+                            const FacetPart                     &part,
+                            const PerFacetNode<3, unsigned int> &nodes,
+                            const std::vector<Point<3>>         &x)
+    {
+      PlaneQuadrangle quadrangle;
+      for (unsigned int a = 0; a < 4; ++a)
+        quadrangle[a] = plane.project(x[nodes[part.corners[a]]]);
+      return quadrangle;
+    }
+
+
+
+    /// The sum over the nodes of a facet, which are at @p x.
+    Point<3> sum(const FacetShape<3>::Values         &values,
+                 const PerFacetNode<3, unsigned int> &nodes,
+                 const std::vector<Point<3>>         &x,
+                 const unsigned int                   n)
+    {
+      Point<3> place;
+      for (unsigned int a = 0; a < n; ++a)
+        place += values[a] * x[nodes[a]];
+      return place;
+    }
+
+
+
+    /// The place of a triangle with these coordinates.
+    Point<2> inside(const std::array<Point<2>, 3> &triangle,
+                    const Point<2>                &eta)
+    {
+      return Point<2>(triangle[0] + eta[0] * (triangle[1] - triangle[0]) +
+                      eta[1] * (triangle[2] - triangle[0]));
+    }
+
+
+
+    /// The outward unit normals in the middle of the facets.
+    std::vector<Tensor<1, 3>> middle_normals(const Surface<3> &surface,
+                                             const std::vector<Point<3>> &x)
+    {
+      const FacetBasis          basis(surface.degree, Point<2>());
+      std::vector<Tensor<1, 3>> normals;
+      for (const SurfaceFacet<3> &facet : surface.facets)
+        {
+          std::array<Tensor<1, 3>, 2> tangents;
+          for (unsigned int k = 0; k < 2; ++k)
+            tangents[k] =
+              sum(basis.first[k], facet.nodes, x, surface.n_nodes_per_facet());
+          const Tensor<1, 3> outward = outward_normal(tangents);
+          normals.push_back(outward / outward.norm());
+        }
+      return normals;
+    }
+
+
+
+    /**
+     * The Gauss points of a triangle, exact for degree 2 n - 1. On
+     * parallelograms products of two shape functions are polynomials of degree
+     * p = 4, of quadratic ones 8. On others the coordinates are power series in
+     * the place, whose k-th term has the factor (variation / 2)^k and raises
+     * the degree by k: what is not integrated exactly is round-off, or else n
+     * is the largest.
+     */
+    const Quadrature<2> &rule(const unsigned int degree, const double variation)
+    {
+      static const std::vector<Quadrature<2>> rules{
+        QWitherdenVincentSimplex<2>(3),
+        QWitherdenVincentSimplex<2>(4),
+        QWitherdenVincentSimplex<2>(5),
+        QWitherdenVincentSimplex<2>(6),
+        QWitherdenVincentSimplex<2>(7)};
+      const double       round_off = 1e-13;
+      const unsigned int p         = 4 * degree;
+      unsigned int       n         = p / 2 + 1;
+      while (n < 7 && std::pow(variation / 2, 2. * n - p) > round_off)
+        ++n;
+      return rules[n - 3];
+    }
+  } // namespace
+
+
+
+  FacetBasis::FacetBasis(const unsigned int degree, const Point<2> &xi)
+  {
+    const EdgeShape x(degree, xi[0]), y(degree, xi[1]);
+    for (unsigned int a = 0; a < (degree == 1 ? 4 : 9); ++a)
+      {
+        const auto [i, j] = FacetShape<3>::factors[a];
+        value[a]          = x.value[i] * y.value[j];
+        first[0][a]       = x.first[i] * y.value[j];
+        first[1][a]       = x.value[i] * y.first[j];
+      }
+  }
+
+
+
+  struct FaceSegments::ProjectedPart
+  {
+    ProjectedPart(const PlaneQuadrangle &quadrangle, const FacetPart &part)
+      : quadrangle(quadrangle)
+      , lower(quadrangle[0])
+      , upper(quadrangle[0])
+      , map(quadrangle)
+      , part(part)
+    {
+      for (const Point<2> &corner : quadrangle)
+        for (unsigned int i = 0; i < 2; ++i)
+          {
+            lower[i] = std::min(lower[i], corner[i]);
+            upper[i] = std::max(upper[i], corner[i]);
+          }
+    }
+
+    /// Whether the boxes around the quadrangles have something in common.
+    bool is_near(const ProjectedPart &other) const
+    {
+      return lower[0] <= other.upper[0] && other.lower[0] <= upper[0] &&
+             lower[1] <= other.upper[1] && other.lower[1] <= upper[1];
+    }
+
+    bool is_in_box(const Point<2> &x) const
+    {
+      return lower[0] <= x[0] && x[0] <= upper[0] && lower[1] <= x[1] &&
+             x[1] <= upper[1];
+    }
+
+    /// In the coordinates of the facet.
+    Point<2> in_facet(const Point<2> &xi) const
+    {
+      return part.middle + part.scale * xi;
+    }
+
+    const PlaneQuadrangle quadrangle;
+    Point<2>              lower, upper;
+    const BilinearMap     map;
+    const FacetPart      &part;
+  };
+
+
+
+  struct FaceSegments::SlaveFacet
+  {
+    SlaveFacet(const unsigned int       index,
+               const Surface<3>        &slave,
+               const FaceConfiguration &now)
+      : index(index)
+      , facet(slave.facets[index])
+      , normal(now.slave_middles[index])
+      , plane(sum(FacetShape<3>::values(slave.degree, Point<2>()),
+                  facet.nodes,
+                  now.slave_x,
+                  slave.n_nodes_per_facet()),
+              normal)
+    {
+      for (const FacetPart &part : parts_of_facet(slave.degree))
+        parts.emplace_back(project(plane, part, facet.nodes, now.slave_x),
+                           part);
+      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+        X.push_back(slave.nodes[facet.nodes[a]].X);
+    }
+
+    /// The undeformed area per unit of the coordinates.
+    double reference_jacobian(const FacetBasis &basis) const
+    {
+      std::array<Tensor<1, 3>, 2> tangents;
+      for (unsigned int a = 0; a < X.size(); ++a)
+        for (unsigned int k = 0; k < 2; ++k)
+          tangents[k] += basis.first[k][a] * X[a];
+      return outward_normal(tangents).norm();
+    }
+
+    const unsigned int         index;
+    const SurfaceFacet<3>     &facet;
+    const Tensor<1, 3>         normal;
+    const ProjectionPlane      plane;
+    std::vector<ProjectedPart> parts;
+    std::vector<Point<3>>      X; // of the nodes, undeformed
+  };
+
+
+
+  FaceConfiguration::FaceConfiguration(const Surface<3>     &slave,
+                                       const Surface<3>     &master,
+                                       const SymmetryPlanes &planes,
+                                       const GhostedVector  &u)
+    : slave_normals(planes.facet_normals(slave, u))
+    , master_normals(planes.facet_normals(master, u))
+    , search(master, u)
+    , slave(slave)
+    , u(u)
+  {
+    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+      slave_x.push_back(slave.position(i, u));
+    for (unsigned int i = 0; i < master.nodes.size(); ++i)
+      master_x.push_back(master.position(i, u));
+    slave_middles  = middle_normals(slave, slave_x);
+    master_middles = middle_normals(master, master_x);
+  }
+
+
+
+  const SurfaceSearch<3> &FaceConfiguration::slave_search() const
+  {
+    if (!of_slave)
+      of_slave = std::make_unique<SurfaceSearch<3>>(slave, u);
+    return *of_slave;
+  }
+
+
+
+  FaceSegments::FaceSegments(const Surface<3>        &slave,
+                             const Surface<3>        &master,
+                             const FaceConfiguration &now)
+    : slave(slave)
+    , master(master)
+    , now(now)
+    , closest(slave.nodes.size())
+  {
+  }
+
+
+
+  // The master facets that face a slave facet are in its box, widened by the
+  // distance of the surfaces there.
+  const std::vector<FaceSample> &FaceSegments::samples(const unsigned int e)
+  {
+    std::vector<Point<3>> x;
+    NormalCone<3>         directions;
+    directions.normals = {now.slave_middles[e]};
+
+    double distance = 0;
+    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      {
+        const unsigned int node = slave.facets[e].nodes[a];
+        x.push_back(now.slave_x[node]);
+        distance = std::max(distance, distance_to_master(node, directions));
+      }
+    BoundingBox<3> box(x);
+    box.extend(distance + 0.1 * slave.reference_length(e));
+    of_facet.clear();
+    const SlaveFacet own(e, slave, now);
+    for (const unsigned int m : now.search.facets_in(box))
+      if (directions.faces(now.master_middles[m]))
+        if (const double part = part_of_side(e, m); part > 0)
+          add_segment(own, m, part);
+    remove_hidden(own);
+    remove_beyond(own);
+    return of_facet;
+  }
+
+
+
+  double FaceSegments::part_of_side(const unsigned int slave_facet,
+                                    const unsigned int master_facet) const
+  {
+    const SurfaceFacet<3> &facet    = slave.facets[slave_facet];
+    const auto             angle_to = [&](const unsigned int e) {
+      return std::acos(
+        std::clamp(-(now.slave_middles[e] * now.master_middles[master_facet]),
+                   -1.,
+                   1.));
+    };
+    const double corner = numbers::PI / 180 * Surface<3>::feature_angle;
+    double       part   = 1;
+    for (unsigned int s = 0; s < 4; ++s)
+      if (facet.corner[s])
+        {
+          const double own = angle_to(slave_facet);
+          const double beside =
+            1 - (own - angle_to(facet.neighbors[s])) / corner;
+          const double alone =
+            (numbers::PI / 180 * NormalCone<2>::largest_angle - own) / corner;
+          part = std::min(part, std::max(beside, alone));
+        }
+    return std::max(0., part);
+  }
+
+
+
+  // From all facets around a node the master is seen at the same place, if that
+  // faces them.
+  double FaceSegments::distance_to_master(const unsigned int   node,
+                                          const NormalCone<3> &directions)
+  {
+    const Point<3> &x = now.slave_x[node];
+    if (!closest[node])
+      {
+        const Projection<3> foot = now.search.closest_alone(x);
+        closest[node] = Closest{std::sqrt(now.search.distance_square(x, foot)),
+                                now.search.normal(foot.facet, foot.xi)};
+      }
+    if (directions.faces(closest[node]->normal))
+      return closest[node]->distance;
+    return std::sqrt(
+      now.search.distance_square(x, now.search.closest_facing(x, directions)));
+  }
+
+
+
+  // The part scales the weights.
+  void FaceSegments::add_segment(const SlaveFacet  &own,
+                                 const unsigned int m,
+                                 const double       part)
+  {
+    const auto &other_nodes = master.facets[m].nodes;
+    const auto  on_slave    = [&](const FacetShape<3>::Values &values) {
+      return sum(values,
+                 own.facet.nodes,
+                 now.slave_x,
+                 slave.n_nodes_per_facet());
+    };
+    const auto on_master = [&](const FacetShape<3>::Values &values) {
+      return sum(values, other_nodes, now.master_x, master.n_nodes_per_facet());
+    };
+    for (const FacetPart &other : parts_of_facet(master.degree))
+      {
+        const ProjectedPart t(
+          project(own.plane, other, other_nodes, now.master_x),
+          other);
+        for (const ProjectedPart &s : own.parts)
+          {
+            if (!s.is_near(t))
+              continue;
+            const auto triangles = intersection(s.quadrangle, t.quadrangle);
+            if (triangles.empty())
+              continue;
+            const Quadrature<2> &quadrature =
+              rule(std::max(slave.degree, master.degree),
+                   std::max(s.map.variation(), t.map.variation()));
+            const double scale = s.part.scale;
+            for (const PlaneTriangle &triangle : triangles)
+              {
+                std::array<Point<2>, 3> corners_in_s, corners_in_t;
+                for (unsigned int k = 0; k < 3; ++k)
+                  {
+                    corners_in_s[k] = s.map.coordinates_of(triangle[k]);
+                    corners_in_t[k] = t.map.coordinates_of(triangle[k]);
+                  }
+                for (unsigned int q = 0; q < quadrature.size(); ++q)
+                  {
+                    const Point<2> &eta   = quadrature.point(q);
+                    const Point<2>  place = inside(triangle, eta);
+                    const Point<2>  in_s =
+                      s.map.coordinates_of(place, inside(corners_in_s, eta));
+                    const Point<2>   slave_xi = s.in_facet(in_s);
+                    const FacetBasis basis(slave.degree, slave_xi);
+                    const double     weight = part * 2 * area(triangle) *
+                                          quadrature.weight(q) /
+                                          s.map.jacobian(in_s) * scale * scale *
+                                          own.reference_jacobian(basis);
+                    const Point<2> master_xi = t.in_facet(
+                      t.map.coordinates_of(place, inside(corners_in_t, eta)));
+                    of_facet.emplace_back(FacetSample{slave_xi,
+                                                      basis.value,
+                                                      weight},
+                                          master_xi,
+                                          m,
+                                          master.degree);
+                    FaceSample &sample = of_facet.back();
+                    sample.distance    = on_slave(sample.slave_values) -
+                                      on_master(sample.master_basis.value);
+                    if (q < 3)
+                      sample.distance_at_corner =
+                        on_slave(
+                          FacetShape<3>::values(slave.degree,
+                                                s.in_facet(corners_in_s[q]))) -
+                        on_master(
+                          FacetShape<3>::values(master.degree,
+                                                t.in_facet(corners_in_t[q])));
+                  }
+              }
+          }
+      }
+  }
+
+
+
+  // Facets next to each other are no further apart than they are large.
+  void FaceSegments::remove_hidden(const SlaveFacet &own)
+  {
+    if (of_facet.empty())
+      return;
+    double least = of_facet[0].distance * own.normal, largest = least;
+    bool   are_of_one = true;
+    for (const FaceSample &sample : of_facet)
+      {
+        const double along = sample.distance * own.normal;
+        least              = std::min(least, along);
+        largest            = std::max(largest, along);
+        are_of_one =
+          are_of_one && sample.master_facet == of_facet[0].master_facet;
+      }
+    const double thin = 0.1;
+    if (are_of_one ||
+        largest - least <= thin * slave.reference_length(own.index))
+      return;
+
+    std::map<unsigned int, ProjectedFacet> facets;
+    for (const FaceSample &sample : of_facet)
+      if (const unsigned int m = sample.master_facet; facets.count(m) == 0)
+        facets.emplace(m, projected(own, master, now.master_x, m));
+    const auto is_hidden = [&](const FaceSample &sample) {
+      const Point<3> on_slave = place_of(sample, own);
+      return std::any_of(facets.begin(), facets.end(), [&](const auto &facet) {
+        if (facet.first == sample.master_facet)
+          return false;
+        const auto along =
+          distance_along(own, on_slave, master, now.master_x, facet.second);
+        return along &&
+               std::abs(*along) < std::abs(sample.distance * own.normal);
+      });
+    };
+    of_facet.erase(std::remove_if(of_facet.begin(), of_facet.end(), is_hidden),
+                   of_facet.end());
+  }
+
+
+
+  // After the surfaces have passed each other, a line from the slave's facet
+  // through its body meets the master's before it leaves the body, and does not
+  // go into the master's. Facets next to each other need no such test.
+  void FaceSegments::remove_beyond(const SlaveFacet &own)
+  {
+    const auto depth_of = [&](const FaceSample &sample) {
+      return sample.distance * own.normal;
+    };
+    const double reach = slave.reference_length(own.index);
+    double       depth = 0;
+    for (const FaceSample &sample : of_facet)
+      depth = std::max(depth, depth_of(sample));
+    if (depth <= reach)
+      return;
+
+    std::vector<Point<3>> x;
+    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      for (const double along : {0., depth})
+        x.push_back(now.slave_x[own.facet.nodes[a]] - along * own.normal);
+    const BoundingBox<3>        box(x);
+    std::vector<ProjectedFacet> sides_of_slave, sides_of_master;
+    for (const unsigned int f : now.slave_search().facets_in(box))
+      if (now.slave_middles[f] * own.normal < 0)
+        sides_of_slave.push_back(projected(own, slave, now.slave_x, f));
+    for (const unsigned int m : now.search.facets_in(box))
+      if (now.master_middles[m] * own.normal > 0)
+        sides_of_master.push_back(projected(own, master, now.master_x, m));
+
+    const auto is_beyond = [&](const FaceSample &sample) {
+      if (depth_of(sample) <= reach)
+        return false;
+      const Point<3> on_slave   = place_of(sample, own);
+      const auto     is_between = [&](const Surface<3>            &surface,
+                                  const std::vector<Point<3>> &x) {
+        return [&](const ProjectedFacet &facet) {
+          const auto along = distance_along(own, on_slave, surface, x, facet);
+          return along && *along > 0 && *along < depth_of(sample);
+        };
+      };
+      return std::any_of(sides_of_slave.begin(),
+                         sides_of_slave.end(),
+                         is_between(slave, now.slave_x)) ||
+             std::any_of(sides_of_master.begin(),
+                         sides_of_master.end(),
+                         is_between(master, now.master_x));
+    };
+    of_facet.erase(std::remove_if(of_facet.begin(), of_facet.end(), is_beyond),
+                   of_facet.end());
+  }
+
+
+
+  Point<3> FaceSegments::place_of(const FaceSample &sample,
+                                  const SlaveFacet &own) const
+  {
+    return sum(sample.slave_values,
+               own.facet.nodes,
+               now.slave_x,
+               slave.n_nodes_per_facet());
+  }
+
+
+
+  FaceSegments::ProjectedFacet
+  FaceSegments::projected(const SlaveFacet            &own,
+                          const Surface<3>            &surface,
+                          const std::vector<Point<3>> &x,
+                          const unsigned int           facet) const
+  {
+    std::vector<ProjectedPart> parts;
+    for (const FacetPart &part : parts_of_facet(surface.degree))
+      parts.emplace_back(
+        project(own.plane, part, surface.facets[facet].nodes, x),
+        part);
+    return {facet, std::move(parts)};
+  }
+
+
+
+  // A place on a line that facets share is on none of them.
+  std::optional<double>
+  FaceSegments::distance_along(const SlaveFacet            &own,
+                               const Point<3>              &on_slave,
+                               const Surface<3>            &surface,
+                               const std::vector<Point<3>> &x,
+                               const ProjectedFacet        &facet) const
+  {
+    const auto &[f, parts]  = facet;
+    const Point<2> in_plane = own.plane.project(on_slave);
+    for (const ProjectedPart &part : parts)
+      {
+        if (!part.is_in_box(in_plane))
+          continue;
+        const Point<2> xi = part.map.coordinates_of(in_plane);
+        if (std::max(std::abs(xi[0]), std::abs(xi[1])) < 1)
+          return (on_slave -
+                  sum(FacetShape<3>::values(surface.degree, part.in_facet(xi)),
+                      surface.facets[f].nodes,
+                      x,
+                      surface.n_nodes_per_facet())) *
+                 own.normal;
+      }
+    return {};
+  }
+} // namespace Contact

@@ -1,0 +1,164 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_face_segments_h
+#define contact_face_segments_h
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "contact/mortar/face_dual_functions.h"
+#include "contact/surfaces/face_clipping.h"
+#include "contact/surfaces/face_search.h"
+#include "contact/surfaces/symmetry_planes.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// Both surfaces of a contact pair in space, where the bodies are.
+  struct FaceConfiguration
+  {
+    FaceConfiguration(const Surface<3>     &slave,
+                      const Surface<3>     &master,
+                      const SymmetryPlanes &planes,
+                      const GhostedVector  &u);
+
+    /// Of the slave, made when it is first asked for.
+    const SurfaceSearch<3> &slave_search() const;
+
+    std::vector<Point<3>>  slave_x, master_x;
+    FacetNormals<3>        slave_normals, master_normals;
+    const SurfaceSearch<3> search; // of the master
+
+    /// The outward normals in the middle of the facets.
+    std::vector<Tensor<1, 3>> slave_middles, master_middles;
+
+  private:
+    const Surface<3>                         &slave;
+    const GhostedVector                      &u;
+    mutable std::unique_ptr<SurfaceSearch<3>> of_slave;
+  };
+
+
+
+  /// The shape functions of a facet at one place of it and their derivatives:
+  /// those of FacetShape that integrals need.
+  struct FacetBasis
+  {
+    FacetBasis(const unsigned int degree, const Point<2> &xi);
+
+    FacetShape<3>::Values                value;
+    std::array<FacetShape<3>::Values, 2> first;
+  };
+
+
+
+  /// A Gauss point of a segment, the piece of a slave facet that faces one
+  /// master facet.
+  struct FaceSample : public FacetSample
+  {
+    FaceSample(const FacetSample &on_slave,
+               const Point<2>    &master_xi,
+               const unsigned int master_facet,
+               const unsigned int master_degree)
+      : FacetSample(on_slave)
+      , master_xi(master_xi)
+      , master_facet(master_facet)
+      , master_basis(master_degree, master_xi)
+    {
+    }
+
+    Point<2>     master_xi;
+    unsigned int master_facet;
+    FacetBasis   master_basis;
+    Tensor<1, 3> distance; // slave less master [mm]
+
+    /// In a corner of the triangle around it, if it stands for one.
+    std::optional<Tensor<1, 3>> distance_at_corner;
+  };
+
+
+
+  /**
+   * The segments that slave and master are cut into in one configuration.
+   *
+   * Slave and master facets are projected on a plane, the one through the
+   * middle of the slave facet across its normal, and clipped (M. A. Puso and T.
+   * A. Laursen, Comput. Methods Appl. Mech. Engrg. 193, 2004); facets of degree
+   * 2 in four parts, bilinear between their nodes. The common polygons are cut
+   * into triangles with Gauss points. Integrals are over the undeformed slave.
+   * Of master facets that lie one behind the other, the nearest is the partner.
+   * A facet of the master beyond another side of the slave's own body, or seen
+   * from outside of the master's, is none.
+   */
+  class FaceSegments
+  {
+  public:
+    FaceSegments(const Surface<3>        &slave,
+                 const Surface<3>        &master,
+                 const FaceConfiguration &now);
+
+    /// The Gauss points of a slave facet, in a list that is used again.
+    const std::vector<FaceSample> &samples(const unsigned int slave_facet);
+
+  private:
+    /// A slave facet and its parts in the plane that masters are projected on.
+    struct SlaveFacet;
+
+    /// A part of a facet in that plane.
+    struct ProjectedPart;
+
+    double distance_to_master(const unsigned int   slave_node,
+                              const NormalCone<3> &directions);
+
+    /// As MortarGeometry::part_of_side() in the plane, with the normals
+    /// in the middles of the facets.
+    double part_of_side(const unsigned int slave_facet,
+                        const unsigned int master_facet) const;
+
+    void add_segment(const SlaveFacet  &own,
+                     const unsigned int master_facet,
+                     const double       part);
+    void remove_hidden(const SlaveFacet &own);
+    void remove_beyond(const SlaveFacet &own);
+
+    /// A facet and its parts in that plane.
+    using ProjectedFacet = std::pair<unsigned int, std::vector<ProjectedPart>>;
+
+    /// The distance along the normal of @p own of its @p on_slave from another
+    /// facet of a surface, whose nodes are at @p x, if that is there.
+    std::optional<double> distance_along(const SlaveFacet            &own,
+                                         const Point<3>              &on_slave,
+                                         const Surface<3>            &surface,
+                                         const std::vector<Point<3>> &x,
+                                         const ProjectedFacet &facet) const;
+
+    ProjectedFacet projected(const SlaveFacet            &own,
+                             const Surface<3>            &surface,
+                             const std::vector<Point<3>> &x,
+                             const unsigned int           facet) const;
+
+    Point<3> place_of(const FaceSample &sample, const SlaveFacet &own) const;
+
+    const Surface<3>        &slave, &master;
+    const FaceConfiguration &now;
+
+    /// The closest point of the master to a node of the slave.
+    struct Closest
+    {
+      double       distance; // [mm]
+      Tensor<1, 3> normal;
+    };
+
+    /// By node, as far as they have been asked for.
+    std::vector<std::optional<Closest>> closest;
+
+    std::vector<FaceSample> of_facet;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,149 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_mortar_h
+#define contact_mortar_h
+
+#include <deal.II/base/array_view.h>
+
+#include "contact/mortar/mortar_integrals.h"
+#include "contact/points/contact_points.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  template<int dim>
+  class MortarDiscretization;
+
+
+
+  /**
+   * The mortar discretization: one contact point per slave node, whose gap is
+   * weighted along the surface by a dual function Phi_k of the node, g_k = n_k
+   * . integral Phi_k (x_slave - x_master) ds / D_k, D_k = integral Phi_k ds,
+   * x_master being the point of the master that the slave's normal meets. The
+   * pressure is p = sum_k lambda_k Phi_k. The dual functions are biorthogonal
+   * to the shape functions of the slave,
+   *   integral Phi_k N_j ds = delta_kj D_k,
+   * so that of the slave side only the node k itself is in g_k, as with the
+   * nodal discretization: a mortar point is a nodal point that looks at its
+   * surroundings. (B. Wohlmuth, SIAM J. Numer. Anal. 38, 2000; S. Hueeber and
+   * B. Wohlmuth, Comput. Methods Appl. Mech. Engrg. 194, 2005; A. Popp, M. W.
+   * Gee and W. A. Wall, Int. J. Numer. Meth. Engng. 79, 2009.)
+   *
+   * The integrals run over the segments of class MortarSegments.
+   *
+   * The direction n_k is that of the surface which bends less: without friction
+   * a flat surface pushes along its own normal, whatever corner stands on it.
+   * With n_s, n_m the normals of slave and master, those of the master weighted
+   * by Phi_k, and b_s, b_m the angles by which the surfaces turn around the
+   * node,
+   *   n_k = b_m^2 n_s + b_s^2 n_m, normalized; n_s where the slave is flat.
+   * The b are those of the undeformed surfaces: the strains of flat ones must
+   * not decide. On smooth surfaces that touch, n_s and n_m are the same up to
+   * the error of the discretization.
+   *
+   * Differences from the papers:
+   *  - A dual function is negative somewhere, and weighted with it a gap that
+   *    grows fast beside the node, as on a mesh that is coarse beside a round
+   *    counterface, may come out far below all distances, also as a
+   *    penetration where there is none. The gap is no less than the smallest of
+   *    the distances that it is a mean of, less 1e-4 of an edge.
+   *  - At a corner of the slave each edge is projected along its own normal.
+   *    In a concave corner of the master the node has a multiplier for each
+   *    edge: the gap of one would else make up for the other one's
+   *    penetration, and the corner sink in by as much. A corner is what
+   *    SurfaceFacet::parts_sides says.
+   *  - At an edge that faces the master in part or in several parts (the master
+   *    has holes, or several pieces), and at nodes that carry no
+   *    multiplier (excluded, or where supports hold both sides), the dual
+   *    functions of the edge are polynomials of a lower degree, as many as
+   *    there are nodes left, that still sum up to one: a constant pressure is
+   *    in the space everywhere, and D_k > 0. Other nodes of the edge are then
+   *    in g_k, too.
+   *  - On a symmetry line the normal is along the line.
+   *  - The feet of a node are shifted along the master such that
+   *    x_slave - x_master, weighted, is parallel to n_k. The shift vanishes
+   *    with the gap; with it the forces balance in moment exactly, not only up
+   *    to the gap (the same end as in M. A. Puso and T. A. Laursen, Comput.
+   *    Methods Appl. Mech. Engrg. 193, 2004).
+   */
+  template<>
+  class MortarDiscretization<2>
+  {
+  public:
+    MortarDiscretization(const Surface<2>             &slave,
+                         const Surface<2>             &master,
+                         const Discretization<2>      &discretization,
+                         const std::set<unsigned int> &excluded);
+
+    /// The points, not paired yet, and their multipliers.
+    std::vector<ContactPoint<2>>
+    make_points(MultiplierSpace &multipliers) const;
+
+    /// Append the points of the edges that begin at convex corners, behind all
+    /// those of nodes: as those of class CornerSides.
+    void add_side_points(MultiplierSpace              &multipliers,
+                         std::vector<ContactPoint<2>> &points) const;
+
+    /**
+     * Integrate in the configuration @p u, and fill in what belongs to the
+     * pairing: weight, normal, nodes and coefficients. Points whose
+     * surroundings do not face the master are marked so, and those of sides
+     * where the node has one multiplier. Returns whether a point has other
+     * unknowns than before.
+     */
+    bool pair(const ArrayView<ContactPoint<2>> &points,
+              const GhostedVector              &u,
+              const PairingMode                &mode  = {},
+              const ArrayView<ContactPoint<2>> &sides = {}) const;
+
+  private:
+    /// The edges that begin at a kink whose node has a multiplier.
+    std::vector<unsigned int> edges_behind_kinks() const;
+
+    /// The corners whose edges face two sides of a concave corner.
+    std::set<unsigned int>
+    parted_nodes(const MortarGeometry<double>     &now,
+                 const std::vector<MortarOverlap> &overlaps) const;
+
+    void fill_in(const MortarGeometry<double> &now,
+                 const MortarPairing<double>  &pairing,
+                 const GhostedVector          &u,
+                 ContactPoint<2>              &point) const;
+
+    /// Whether a point is on a line that both bodies are symmetric to.
+    bool is_on_symmetry_line(const ContactPoint<2> &point,
+                             const GhostedVector   &u) const;
+
+    void add_nodes(const MortarPairing<double> &pairing,
+                   ContactPoint<2>             &point) const;
+
+    /// The nodes of both surfaces that move the segments around a slave node.
+    std::array<std::set<unsigned int>, 2>
+    nodes_around(const unsigned int                node,
+                 const std::vector<MortarOverlap> &overlaps) const;
+
+    /// Fill in the derivatives of a point's pairing, by the segments of the
+    /// edges around it.
+    void differentiate(MortarGeometry<WithDerivatives>  &now,
+                       const std::vector<MortarOverlap> &overlaps,
+                       const std::set<unsigned int>     &parted,
+                       ContactPoint<2>                  &point) const;
+
+    unsigned int slave_node(const ContactPoint<2> &point) const;
+
+    const Surface<2>        &slave;
+    const Surface<2>        &master;
+    const Discretization<2> &discretization;
+
+    /// Whether a node of a slave edge carries a multiplier, as that edge sees
+    /// it.
+    std::vector<PerEdgeNode<bool>> carries;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,392 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/points/contact_points.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <map>
+
+namespace Contact
+{
+  namespace
+  {
+    /// Fill in the slave side of a point at @p xi of the slave edge @p e.
+    template<int dim>
+    ContactPoint<dim> make_point(const Surface<dim>    &slave,
+                                 const unsigned int     e,
+                                 const FacetPoint<dim> &xi)
+    {
+      const FacetShape<dim> shape(slave.degree, xi);
+
+      ContactPoint<dim> point;
+      point.slave_facet = e;
+      point.slave_xi    = xi;
+      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+        if (shape.value[a] != 0)
+          point.add_node(slave.nodes[slave.facets[e].nodes[a]], shape.value[a]);
+      point.n_slave_nodes = point.n_nodes;
+      return point;
+    }
+
+
+
+    /// Scalar products of the normal and the tangential row of a point over the
+    /// unknowns that no support fixes.
+    struct FreeRows
+    {
+      FreeRows(const ContactPoint<2>   &point,
+               const Discretization<2> &discretization)
+      {
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          {
+            const Tensor<1, 2> n =
+              discretization.free_part(point.dofs(a), point.normal);
+            const Tensor<1, 2> t =
+              discretization.free_part(point.dofs(a), point.tangents[0]);
+            for (unsigned int i = 0; i < 2; ++i)
+              {
+                nn += std::pow(point.C[a] * n[i], 2);
+                tt += std::pow(point.C[a] * t[i], 2);
+                nt += point.C[a] * point.C[a] * n[i] * t[i];
+              }
+          }
+      }
+
+      /// Below this sine of the angle between the rows their two multipliers
+      /// would be told apart by the round-off of the pairing alone.
+      bool are_parallel() const
+      {
+        const double sine = 1e-3;
+        return tt * nn - nt * nt <= sine * sine * nn * nn;
+      }
+
+      double nn = 0, nt = 0, tt = 0;
+    };
+
+
+
+    /// On an axis at degree 2 the integral vanishes. The node has a gap all the
+    /// same, and may take a force: as if on the half of the edge next to it the
+    /// pressure were linear.
+    void weigh_on_axis(const Surface<2>             &slave,
+                       std::vector<ContactPoint<2>> &points)
+    {
+      for (ContactPoint<2> &point : points)
+        if (point.weight <=
+            1e-12 * slave.reference_jacobian(slave.facets[point.slave_facet],
+                                             EdgeShape(slave.degree, 0)))
+          point.weight =
+            0.5 * slave.reference_jacobian(slave.facets[point.slave_facet],
+                                           EdgeShape(slave.degree,
+                                                     point.slave_xi * 2. / 3));
+    }
+
+    void weigh_on_axis(const Surface<3> &, std::vector<ContactPoint<3>> &)
+    {
+    }
+  } // namespace
+
+
+
+  // Of the integral of its shape function: the trapezoidal rule, and Simpson's.
+  double share_of_node(const Surface<2>  &slave,
+                       const unsigned int e,
+                       const unsigned int a)
+  {
+    const std::array<double, 3> centroids =
+      slave.degree == 1 ? std::array<double, 3>{{-1. / 3, 1. / 3, 0}}
+                        : node_coordinates;
+    const double share = slave.degree == 1 ? 1. : (a == 2 ? 4. / 3. : 1. / 3.);
+    return share *
+           slave.reference_jacobian(slave.facets[e],
+                                    EdgeShape(slave.degree, centroids[a]));
+  }
+
+  double share_of_node(const Surface<3>  &slave,
+                       const unsigned int e,
+                       const unsigned int a)
+  {
+    return slave.shares_of_nodes(e)[a];
+  }
+
+
+
+  std::vector<Tensor<1, 1>> free_slips(const ContactPoint<2>   &point,
+                                       const Discretization<2> &discretization)
+  {
+    if (FreeRows(point, discretization).are_parallel())
+      return {};
+    return {Tensor<1, 1>({1.})};
+  }
+
+
+
+  Tensor<1, 1> prescribed_slip(const ContactPoint<2>   &point,
+                               const Discretization<2> &discretization,
+                               const GhostedVector     &motion)
+  {
+    const FreeRows rows(point, discretization);
+    if (!rows.are_parallel())
+      return {};
+    const Tensor<1, 2> along =
+      point.tangents[0] - (rows.nn > 0 ? rows.nt / rows.nn : 0.) * point.normal;
+    double slip = point.tangents[0] * point.apart_at_start -
+                  along * point.projection_motion,
+           size = std::abs(slip);
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      {
+        const Tensor<1, 2> held =
+          along - discretization.free_part(point.dofs(a), along);
+        for (unsigned int i = 0; i < 2; ++i)
+          {
+            const double share =
+              point.C[a] * held[i] * motion[point.dofs(a)[i]];
+            slip += share;
+            size += std::abs(share);
+          }
+      }
+    const double round_off = 1e-10;
+    return Tensor<1, 1>({std::abs(slip) > round_off * size ? slip : 0.});
+  }
+
+
+
+  template<int dim>
+  std::vector<ContactPoint<dim>>
+  make_nodal_points(const Surface<dim>           &slave,
+                    const std::set<unsigned int> &excluded,
+                    MultiplierSpace              &multipliers)
+  {
+    multipliers.of_node.assign(slave.nodes.size(),
+                               numbers::invalid_unsigned_int);
+    multipliers.n_multipliers = 0;
+
+    std::vector<ContactPoint<dim>> points;
+    for (unsigned int e = 0; e < slave.facets.size(); ++e)
+      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+        {
+          const unsigned int node = slave.facets[e].nodes[a];
+          if (excluded.count(node) > 0 || !slave.leaders[node].empty())
+            continue;
+
+          if (multipliers.of_node[node] == numbers::invalid_unsigned_int)
+            {
+              multipliers.of_node[node] = multipliers.n_multipliers++;
+              points.push_back(make_point<dim>(slave, e, node_place<dim>(a)));
+              points.back().n_multipliers  = 1;
+              points.back().multipliers[0] = multipliers.of_node[node];
+              points.back().psi[0]         = 1;
+              points.back().weight         = 0;
+            }
+        }
+    for (unsigned int e = 0; e < slave.facets.size(); ++e)
+      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+        for (const auto &[node, part] : slave.heirs(slave.facets[e].nodes[a]))
+          if (const unsigned int k = multipliers.of_node[node];
+              k != numbers::invalid_unsigned_int)
+            points[k].weight += part * share_of_node(slave, e, a);
+    weigh_on_axis(slave, points);
+    return points;
+  }
+
+
+
+  std::vector<ContactPoint<2>> make_gauss_points(const Surface<2>  &slave,
+                                                 const unsigned int n_points,
+                                                 MultiplierSpace   &multipliers)
+  {
+    multipliers.of_node.resize(slave.nodes.size());
+    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+      multipliers.of_node[i] = i;
+    multipliers.n_multipliers = slave.nodes.size();
+
+    // At a corner each side has its own: one that is free would otherwise take
+    // off the pressure on the other.
+    std::map<std::pair<unsigned int, unsigned int>, unsigned int> of_side;
+    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+      {
+        const auto sides = slave.sides_of_node(i);
+        for (unsigned int s = 1; s < sides.size(); ++s)
+          {
+            multipliers.of_sides.emplace_back(multipliers.n_multipliers, i);
+            for (const unsigned int e : sides[s])
+              of_side[{e, i}] = multipliers.n_multipliers;
+            ++multipliers.n_multipliers;
+          }
+      }
+
+    const QGauss<1>              quadrature(n_points);
+    std::vector<ContactPoint<2>> points;
+    for (unsigned int e = 0; e < slave.facets.size(); ++e)
+      for (unsigned int q = 0; q < n_points; ++q)
+        {
+          const double    xi = 2 * quadrature.point(q)[0] - 1;
+          const EdgeShape shape(slave.degree, xi);
+
+          points.push_back(make_point<2>(slave, e, xi));
+          ContactPoint<2> &point = points.back();
+          point.weight           = 2 * quadrature.weight(q) *
+                         slave.reference_jacobian(slave.facets[e], shape);
+          point.n_multipliers = slave.n_nodes_per_facet();
+          for (unsigned int a = 0; a < point.n_multipliers; ++a)
+            {
+              const unsigned int i   = slave.facets[e].nodes[a];
+              const auto         own = of_side.find({e, i});
+              point.multipliers[a]   = own == of_side.end() ? i : own->second;
+              point.psi[a]           = shape.value[a];
+            }
+        }
+    return points;
+  }
+
+
+
+  void set_tangents(ContactPoint<2> &point)
+  {
+    point.tangents[0] = Tensor<1, 2>({-point.normal[1], point.normal[0]});
+  }
+
+
+
+  // At first the axis that is furthest from the normal.
+  void set_tangents(ContactPoint<3> &point)
+  {
+    const Tensor<1, 3> &n     = point.normal;
+    Tensor<1, 3>       &first = point.tangents[0];
+    const auto          tilt  = [&]() { return first - (first * n) * n; };
+    if (tilt().norm() < 0.5)
+      {
+        unsigned int axis = 0;
+        for (unsigned int i = 1; i < 3; ++i)
+          if (std::abs(n[i]) < std::abs(n[axis]))
+            axis = i;
+        first = Point<3>::unit_vector(axis);
+      }
+    first             = tilt() / tilt().norm();
+    point.tangents[1] = cross_product_3d(n, first);
+  }
+
+
+
+  template<int dim>
+  Point<dim> slave_position(const ContactPoint<dim> &point,
+                            const GhostedVector     &u)
+  {
+    Point<dim> x;
+    for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        x[i] += point.C[a] * (point.X(a)[i] + u[point.dofs(a)[i]]);
+    return x;
+  }
+
+
+
+  template<int dim>
+  bool is_free_along(const ContactPoint<dim>   &point,
+                     const unsigned int         n_nodes,
+                     const Tensor<1, dim>      &normal,
+                     const Discretization<dim> &discretization)
+  {
+    const double round_off = 1e-8;
+    double       free = 0, all = 0;
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      {
+        const Tensor<1, dim> part =
+          discretization.free_part(point.dofs(a), normal);
+        for (unsigned int i = 0; i < dim; ++i)
+          {
+            all += std::abs(point.C[a] * normal[i]);
+            free += std::abs(point.C[a] * part[i]);
+          }
+      }
+    return free > round_off * all;
+  }
+
+
+
+  template<int dim>
+  void skip_where_held(ContactPoint<dim>         &point,
+                       const Discretization<dim> &discretization,
+                       const GhostedVector       &u)
+  {
+    if (is_free_along(point, point.n_nodes, point.normal, discretization))
+      return;
+    double gap = 0, size = 0;
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      {
+        for (unsigned int i = 0; i < dim; ++i)
+          gap += point.C[a] * point.normal[i] *
+                 (point.X(a)[i] + u[point.dofs(a)[i]]);
+        size = std::max(size, point.X(a).distance(point.X(0)));
+      }
+    point.facing = point.facing && gap < -1e-8 * size;
+  }
+
+
+
+  // A node that a support holds against the obstacle needs no pressure, and
+  // there would be no unknown for it to act on. Along the tangent the place of
+  // a circle is centre + radius n, and its second derivative by the coordinate
+  // that is the angle -radius n.
+  template<int dim>
+  void pair_with_obstacle(ContactPoint<dim>         &point,
+                          const Obstacle<dim>       &obstacle,
+                          const Discretization<dim> &discretization,
+                          const GhostedVector       &u)
+  {
+    const auto projection = obstacle.closest_point(slave_position(point, u));
+    point.facing          = is_free_along(point,
+                                 point.n_slave_nodes,
+                                 projection.normal,
+                                 discretization);
+    point.master_facet    = numbers::invalid_unsigned_int;
+    point.projection      = projection.x;
+    point.normal          = projection.normal;
+    set_tangents(point);
+    point.metric = projection.radius == 0 ? 1 : std::abs(projection.radius);
+    point.projection_curvature = -projection.radius * projection.normal;
+    point.projection_motion    = projection.motion;
+    point.projection_stretch   = projection.stretch;
+    point.motions              = projection.motions;
+    point.tangential_row_is_void =
+      tangential_row_is_void(point, discretization);
+  }
+
+  template std::vector<ContactPoint<2>>
+  make_nodal_points(const Surface<2>             &slave,
+                    const std::set<unsigned int> &excluded,
+                    MultiplierSpace              &multipliers);
+  template std::vector<ContactPoint<3>>
+                    make_nodal_points(const Surface<3>             &slave,
+                                      const std::set<unsigned int> &excluded,
+                                      MultiplierSpace              &multipliers);
+  template bool     is_free_along(const ContactPoint<2>   &point,
+                                  const unsigned int       n_nodes,
+                                  const Tensor<1, 2>      &normal,
+                                  const Discretization<2> &discretization);
+  template bool     is_free_along(const ContactPoint<3>   &point,
+                                  const unsigned int       n_nodes,
+                                  const Tensor<1, 3>      &normal,
+                                  const Discretization<3> &discretization);
+  template void     skip_where_held(ContactPoint<2>         &point,
+                                    const Discretization<2> &discretization,
+                                    const GhostedVector     &u);
+  template void     skip_where_held(ContactPoint<3>         &point,
+                                    const Discretization<3> &discretization,
+                                    const GhostedVector     &u);
+  template Point<2> slave_position(const ContactPoint<2> &point,
+                                   const GhostedVector   &u);
+  template Point<3> slave_position(const ContactPoint<3> &point,
+                                   const GhostedVector   &u);
+  template void     pair_with_obstacle(ContactPoint<2>         &point,
+                                       const Obstacle<2>       &obstacle,
+                                       const Discretization<2> &discretization,
+                                       const GhostedVector     &u);
+  template void     pair_with_obstacle(ContactPoint<3>         &point,
+                                       const Obstacle<3>       &obstacle,
+                                       const Discretization<3> &discretization,
+                                       const GhostedVector     &u);
+} // namespace Contact

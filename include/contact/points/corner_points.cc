@@ -1,0 +1,135 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/points/corner_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Contact
+{
+  namespace
+  {
+    /// Whether a projection lies at the end of a face, from where on both sides
+    /// the overhang counts.
+    bool is_at_end_of_face(const Surface<2>      &surface,
+                           const ContactPoint<2> &point)
+    {
+      const SurfaceFacet<2> &edge = surface.facets[point.master_facet];
+      const double           last = 1 - SurfaceSearch<2>::overhang;
+      return (edge.begins_face && point.master_xi < -last) ||
+             (edge.ends_face && point.master_xi > last);
+    }
+  } // namespace
+
+
+
+  bool has_ends(const Surface<2> &surface)
+  {
+    return std::any_of(surface.facets.begin(),
+                       surface.facets.end(),
+                       [](const auto &edge) { return edge.begins_surface; });
+  }
+
+
+
+  std::vector<ContactPoint<2>> make_corner_points(const Surface<2> &master,
+                                                  const bool        with_ends)
+  {
+    std::vector<unsigned int> corners;
+    for (unsigned int e = 0; e < master.facets.size(); ++e)
+      {
+        const SurfaceFacet<2> &edge      = master.facets[e];
+        const bool             is_corner = edge.corner[0] && edge.begins_face &&
+                               master.turn_of_curves(e) >
+                                 numbers::PI / 180 * Surface<2>::feature_angle;
+        if (is_corner || (with_ends && edge.begins_surface))
+          corners.push_back(edge.nodes[0]);
+        if (with_ends && edge.ends_surface)
+          corners.push_back(edge.nodes[1]);
+      }
+    if (corners.empty())
+      return {};
+
+    MultiplierSpace              numbering;
+    const auto                   all = make_nodal_points(master, {}, numbering);
+    std::vector<ContactPoint<2>> points;
+    for (const unsigned int node : corners)
+      {
+        points.push_back(all[numbering.of_node[node]]);
+        points.back().is_master_corner = true;
+        points.back().multipliers[0]   = points.size() - 1;
+      }
+    return points;
+  }
+
+
+
+  double distance(const ContactPoint<2> &corner, const GhostedVector &u)
+  {
+    double sum = 0;
+    for (unsigned int a = 0; a < corner.n_nodes; ++a)
+      for (unsigned int i = 0; i < 2; ++i)
+        sum += corner.normal[i] * corner.C[a] *
+               (corner.X(a)[i] + u[corner.dofs(a)[i]]);
+    return sum;
+  }
+
+
+
+  void pair_corner_point(
+    ContactPoint<2>                              &point,
+    const Surface<2>                             &master,
+    const std::vector<PerEdgeNode<Tensor<1, 2>>> &master_normals,
+    const Surface<2>                             &slave,
+    const SurfaceSearch<2>                       &search,
+    const Discretization<2>                      &discretization,
+    const GhostedVector                          &u)
+  {
+    // A slave edge beside the end of the master does not obstruct it.
+    NormalCone<2> directions = directions_of(point, master, master_normals);
+    directions.at_end        = false;
+    pair_with_master(point, directions, slave, search, discretization, u);
+    const double length = slave.reference_length(point.master_facet);
+    point.facing        = point.facing && distance(point, u) > -length &&
+                   !is_at_end_of_face(slave, point);
+    point.projection = Point<2>(-corner_slack * length * point.normal);
+  }
+
+
+
+  bool
+  lies_along_slave(const ContactPoint<2>                        &corner,
+                   const Surface<2>                             &master,
+                   const std::vector<PerEdgeNode<Tensor<1, 2>>> &master_normals)
+  {
+    const unsigned int own   = corner.slave_facet;
+    const bool         first = corner.slave_xi < 0;
+    const unsigned int other =
+      first ? master.facets[own].previous : master.facets[own].next;
+    if (other == numbers::invalid_unsigned_int)
+      return false;
+    const double least = std::cos(numbers::PI / 180 * inclination);
+    return -(master_normals[own][first ? 0 : 1] * corner.normal) > least ||
+           -(master_normals[other][first ? 1 : 0] * corner.normal) > least;
+  }
+
+
+
+  unsigned int node_at_foot(const ContactPoint<2> &corner,
+                            const Surface<2>      &slave)
+  {
+    const double close = 1e-2;
+    const auto  &nodes = slave.facets[corner.master_facet].nodes;
+    if (corner.facing)
+      {
+        if (std::abs(corner.master_xi) > 1 - close)
+          return nodes[corner.master_xi > 0 ? 1 : 0];
+        if (slave.degree == 2 && std::abs(corner.master_xi) < close)
+          return nodes[2];
+      }
+    return numbers::invalid_unsigned_int;
+  }
+} // namespace Contact

@@ -1,0 +1,330 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// The pairing of a contact point with the quadrangles of the master.
+
+#include <algorithm>
+#include <map>
+
+#include "contact/points/contact_points.h"
+
+namespace Contact
+{
+  namespace
+  {
+    /// Whether a node of the surface is on its end.
+    bool is_at_end(const Surface<3> &surface, const unsigned int node)
+    {
+      for (const unsigned int e : surface.facets_of_node[node])
+        for (unsigned int s = 0; s < 4; ++s)
+          {
+            const SurfaceFacet<3> &facet = surface.facets[e];
+            if (facet.neighbors[s] != numbers::invalid_unsigned_int)
+              continue;
+            for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+              if (facet.nodes[a] == node &&
+                  node_place<3>(a)[s / 2] == (s % 2 == 0 ? -1 : 1))
+                return true;
+          }
+      return false;
+    }
+
+
+
+    /// Add a node of the master, or those that it follows. On round boundaries
+    /// a hanging node is beside the side that it follows: that is left.
+    void add_parts(const Surface<3>               &master,
+                   const unsigned int              node,
+                   const double                    value,
+                   std::map<unsigned int, double> &parts,
+                   Point<3>                       &left)
+    {
+      if (master.leaders[node].empty())
+        {
+          parts[node] += value;
+          return;
+        }
+      Tensor<1, 3> beside(master.nodes[node].X);
+      for (const auto &[leader, part] : master.leaders[node])
+        {
+          parts[leader] += part * value;
+          beside -= part * Tensor<1, 3>(master.nodes[leader].X);
+        }
+      left += value * beside;
+    }
+
+
+
+    bool is_held(const NodeDoFs<3>       &node,
+                 const Tensor<1, 3>      &direction,
+                 const Discretization<3> &discretization)
+    {
+      const double round_off = 1e-8;
+      return discretization.free_part(node, direction).norm() < round_off;
+    }
+
+
+
+    /// The directions that supports may hold a node in.
+    std::vector<Tensor<1, 3>>
+    directions_of_supports(const NodeDoFs<3>       &node,
+                           const Discretization<3> &discretization)
+    {
+      std::vector<Tensor<1, 3>> directions =
+        discretization.normal_supports.normals(node);
+      for (unsigned int c = 3; c-- > 0;)
+        directions.insert(directions.begin(), Point<3>::unit_vector(c));
+      return directions;
+    }
+
+
+
+    /// The components of the relative displacement of a point that supports
+    /// prescribe, in all nodes, without those that are next to the normal.
+    std::vector<Tensor<1, 3>>
+    prescribed_components(const ContactPoint<3>   &point,
+                          const Discretization<3> &discretization)
+    {
+      const double              round_off = 1e-8, sine = 1e-3;
+      std::vector<Tensor<1, 3>> components;
+      for (const Tensor<1, 3> &direction :
+           directions_of_supports(point.dofs(0), discretization))
+        {
+          double free = 0, all = 0;
+          for (unsigned int a = 0; a < point.n_nodes; ++a)
+            {
+              all += std::abs(point.C[a]);
+              free += std::abs(point.C[a]) *
+                      discretization.free_part(point.dofs(a), direction).norm();
+            }
+          if (free <= round_off * all &&
+              point.tangential_part(direction).norm() > sine)
+            components.push_back(direction);
+        }
+      return components;
+    }
+  } // namespace
+
+
+
+  std::vector<Tensor<1, 2>> free_slips(const ContactPoint<3>   &point,
+                                       const Discretization<3> &discretization)
+  {
+    const auto held = prescribed_components(point, discretization);
+    if (held.empty())
+      return {Tensor<1, 2>({1., 0.}), Tensor<1, 2>({0., 1.})};
+    Tensor<1, 2> across = cross_product_2d(point.tangential_part(held[0]));
+    across /= across.norm();
+    const double sine = 1e-3;
+    for (const auto &other : held)
+      if (std::abs(point.tangential_part(other) * across) > sine)
+        return {};
+    return {across};
+  }
+
+
+
+  // The shortest one that has the prescribed components.
+  Tensor<1, 2> prescribed_slip(const ContactPoint<3>   &point,
+                               const Discretization<3> &discretization,
+                               const GhostedVector     &motion)
+  {
+    const double round_off = 1e-10;
+    const auto   held      = prescribed_components(point, discretization);
+    const auto   free      = free_slips(point, discretization);
+    Tensor<2, 2> A;
+    Tensor<1, 2> b;
+    for (const auto &direction : held)
+      {
+        const Tensor<1, 2> along = point.tangential_part(direction);
+        double slip = point.along_tangents(along) * point.apart_at_start -
+                      direction * point.projection_motion;
+        double size = std::abs(slip);
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              const double share =
+                point.C[a] * direction[c] * motion[point.dofs(a)[c]];
+              slip += share;
+              size += std::abs(share);
+            }
+        A += outer_product(along, along);
+        if (std::abs(slip) > round_off * size)
+          b += slip * along;
+      }
+    if (free.size() == 2 || b == Tensor<1, 2>())
+      return {};
+    for (const Tensor<1, 2> &direction : free)
+      A += outer_product(direction, direction);
+    return invert(A) * b;
+  }
+
+
+
+  void make_symmetric(ContactPoint<3>         &point,
+                      const Discretization<3> &discretization,
+                      const GhostedVector     &u,
+                      const double             tolerance)
+  {
+    const double sine = 0.9, smooth = Surface<3>::sine_of_smooth_slant();
+    std::vector<Tensor<1, 3>> planes, slanted;
+    for (const Tensor<1, 3> &across :
+         directions_of_supports(point.dofs(0), discretization))
+      {
+        const auto x = [&](const unsigned int a) {
+          double sum = 0;
+          for (unsigned int c = 0; c < 3; ++c)
+            sum += across[c] * (point.X(a)[c] + u[point.dofs(a)[c]]);
+          return sum;
+        };
+        bool is_symmetric = false;
+        for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
+          is_symmetric =
+            is_symmetric || (std::abs(x(a) - x(0)) < tolerance &&
+                             discretization.are_held_alike(point.dofs(0),
+                                                           point.dofs(a),
+                                                           across));
+        const double slant = std::abs(point.normal * across);
+        if (is_symmetric && slant < sine)
+          add_orthonormal(across, slant < smooth ? planes : slanted);
+      }
+    Tensor<1, 3> normal = point.normal;
+    for (const Tensor<1, 3> &across : planes)
+      normal -= (normal * across) * across;
+    if (normal.norm() > 0)
+      point.normal = normal / normal.norm();
+    point.void_slips = planes;
+    for (const Tensor<1, 3> &across : slanted)
+      add_orthonormal(across - (point.normal * across) * point.normal,
+                      point.void_slips);
+    set_tangents(point);
+
+    std::vector<Tensor<1, 2>> basis;
+    for (const Tensor<1, 3> &across : point.void_slips)
+      basis.push_back(point.tangential_part(across));
+    point.springs = 0;
+    for (const Tensor<1, 3> &held : point.rim)
+      for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
+        if (std::abs(point.normal * held) < sine &&
+            !is_held(point.dofs(a), held, discretization))
+          add_orthonormal(point.tangential_part(held), basis);
+    for (unsigned int k = point.void_slips.size(); k < basis.size(); ++k)
+      point.springs += outer_product(basis[k], basis[k]);
+  }
+
+
+
+  void mark_rims(const Surface<3>             &slave,
+                 const MultiplierSpace        &multipliers,
+                 const Discretization<3>      &discretization,
+                 std::vector<ContactPoint<3>> &points)
+  {
+    for (unsigned int node = 0; node < slave.nodes.size(); ++node)
+      for (const Tensor<1, 3> &direction :
+           directions_of_supports(slave.nodes[node].dofs, discretization))
+        {
+          bool one_is_free = false;
+          for (const unsigned int e : slave.facets_of_node[node])
+            for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+              one_is_free = one_is_free ||
+                            !is_held(slave.nodes[slave.facets[e].nodes[a]].dofs,
+                                     direction,
+                                     discretization);
+          const unsigned int k = multipliers.of_node[node];
+          if (k < points.size() && one_is_free &&
+              is_held(slave.nodes[node].dofs, direction, discretization))
+            points[k].rim.push_back(direction);
+        }
+  }
+
+
+
+  // The normal in the facet; at a node those of all facets around it.
+  NormalCone<3> directions_of(const ContactPoint<3> &point,
+                              const Surface<3>      &slave,
+                              const FacetNormals<3> &normals)
+  {
+    NormalCone<3> directions;
+    directions.reach =
+      SurfaceSearch<3>::overhang * slave.reference_length(point.slave_facet);
+    const auto &facet = slave.facets[point.slave_facet];
+    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      if (node_place<3>(a) == point.slave_xi)
+        {
+          const unsigned int node = facet.nodes[a];
+          directions.at_end       = is_at_end(slave, node);
+          for (const unsigned int e : slave.facets_of_node[node])
+            {
+              const auto &nodes = slave.facets[e].nodes;
+              directions.normals.push_back(
+                normals[e][std::find(nodes.begin(), nodes.end(), node) -
+                           nodes.begin()]);
+            }
+          return directions;
+        }
+
+    const FacetShape<3> shape(slave.degree, point.slave_xi);
+    Tensor<1, 3>        n;
+    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      n += shape.value[a] * normals[point.slave_facet][a];
+    directions.normals.push_back(n / n.norm());
+    return directions;
+  }
+
+
+
+  // Where several facets have the same closest point, which of them was found
+  // first must not matter: the normal is the mean of theirs.
+  void pair_with_master(ContactPoint<3>         &point,
+                        const NormalCone<3>     &directions,
+                        const Surface<3>        &master,
+                        const SurfaceSearch<3>  &search,
+                        const Discretization<3> &discretization,
+                        const GhostedVector     &u,
+                        const bool               keeps_facet)
+  {
+    const Point<3> x = slave_position(point, u);
+    Projection<3>  projection;
+    if (keeps_facet && point.facing)
+      projection =
+        search.project(x, point.master_facet, SurfaceSearch<3>::overhang);
+    if (!keeps_facet || !point.facing || projection.clipped)
+      projection = search.closest_facing(x, directions);
+    const double outside =
+      std::max(std::abs(projection.xi[0]), std::abs(projection.xi[1])) - 1;
+    const double beyond =
+      outside / 2 * master.reference_length(projection.facet);
+    point.facing       = !projection.off_the_end && beyond <= directions.reach;
+    point.master_facet = projection.facet;
+    point.master_xi    = projection.xi;
+
+    point.keep_nodes(point.n_slave_nodes);
+    point.projection = Point<3>();
+    const FacetShape<3>            shape(master.degree, projection.xi);
+    std::map<unsigned int, double> parts;
+    for (unsigned int a = 0; a < master.n_nodes_per_facet(); ++a)
+      if (shape.value[a] != 0)
+        add_parts(master,
+                  master.facets[projection.facet].nodes[a],
+                  shape.value[a],
+                  parts,
+                  point.projection);
+    for (const auto &[node, part] : parts)
+      point.add_node(master.nodes[node], -part);
+
+    Tensor<1, 3> normal = search.normal(projection.facet, projection.xi);
+    for (const auto &[facet, xi] : projection.twins)
+      normal += search.normal(facet, xi);
+    point.normal = normal / normal.norm();
+    make_symmetric(point,
+                   discretization,
+                   u,
+                   1e-6 * master.reference_length(projection.facet));
+    point.projection_is_clipped = projection.clipped;
+    point.tangential_row_is_void =
+      tangential_row_is_void(point, discretization);
+    skip_where_held(point, discretization, u);
+  }
+} // namespace Contact

@@ -1,0 +1,60 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_contact_depth_h
+#define contact_contact_depth_h
+
+#include "contact/interface/contact_pair.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// The depth of a node of one surface inside of the other one, or of a place
+  /// of the slave inside of an obstacle.
+  template<int dim>
+  struct ContactDepth
+  {
+    double       depth     = 0; // [mm]
+    bool         of_master = false;
+    Point<dim>   X;               // the undeformed place [mm]
+    unsigned int slave_facet = 0; // that it is in, or belongs to
+  };
+
+  /**
+   * The deepest node of both surfaces of a contact pair under the displacement
+   * @p u: the distance from the closest point of the
+   * other surface, of nodes on its inner side that face it, less what the edges
+   * of both surfaces, by the angles between them, may be beside a curve. On an
+   * obstacle the deepest of some places of the slave, of its nodes only with
+   * the Gauss-point discretization, which has no points there; an edge of the
+   * length h, if that is no more than the radius R of a circle, may be inside
+   * of the circle by h^2/(8 R), of which its two nodes know nothing. All this
+   * is allowed to polygons unless the depth is that @p as_drawn.
+   *
+   * All contact discretizations let surfaces pass through each other between
+   * the places where they look, which vanishes with the mesh size. On a mesh
+   * that is too coarse for the scene, a corner of the master may be in a slave
+   * edge as deep as it was pushed.
+   */
+  ContactDepth<2> largest_depth(const ContactPair<2> &contact_pair,
+                                const GhostedVector  &u,
+                                const bool            as_drawn);
+  ContactDepth<3> largest_depth(const ContactPair<3> &contact_pair,
+                                const GhostedVector  &u,
+                                const bool            as_drawn);
+
+  /// The deepest place of the slave inside of an obstacle, @p at_nodes or
+  /// between them: where each node has a point that one looks there.
+  template<int dim>
+  void look_at_obstacle(const Surface<dim>  &slave,
+                        const Obstacle<dim> &obstacle,
+                        const GhostedVector &u,
+                        const bool           as_drawn,
+                        const bool           at_nodes,
+                        ContactDepth<dim>   &deepest);
+} // namespace Contact
+
+#endif

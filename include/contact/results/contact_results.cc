@@ -1,0 +1,449 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/results/contact_results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "contact/points/corner_points.h"
+#include "contact/points/slave_corners.h"
+#include "contact/results/contact_patches.h"
+
+namespace Contact
+{
+  namespace
+  {
+    /// Add the force of a point. Returns its traction, which at a corner of the
+    /// master depends on the mesh size.
+    template<int dim>
+    Traction<dim> add_force(const ContactInterface<dim> &interface,
+                            const ContactPoint<dim>     &point,
+                            const ContactState<dim>     &now,
+                            const bool                   moving_bound,
+                            ContactResults              &results)
+    {
+      const Traction<dim> traction = interface.traction(point,
+                                                        point.status,
+                                                        now.p_trial,
+                                                        now.q_trial,
+                                                        moving_bound);
+      results.normal_force += point.weight * traction.p;
+      results.tangential_force += point.weight * traction.q[0];
+      return traction;
+    }
+
+
+
+    /// Corners and ends of the master that are opposite to the slave, and no
+    /// further from it than an edge is long.
+    void add_corners_of_master(const ContactPair<2> &contact_pair,
+                               const GhostedVector  &u,
+                               ContactPatches       &patches)
+    {
+      const Surface<2> &slave  = contact_pair.slave,
+                       &master = *contact_pair.master;
+      const SurfaceSearch<2> search(slave, u);
+      const auto             normals = master.facet_normals(u);
+      for (ContactPoint<2> &corner : make_corner_points(master, true))
+        {
+          pair_corner_point(corner,
+                            master,
+                            normals,
+                            slave,
+                            search,
+                            contact_pair.discretization,
+                            u);
+          const SurfaceFacet<2> &edge = master.facets[corner.slave_facet];
+          if (corner.facing &&
+              distance(corner, u) < slave.reference_length(corner.master_facet))
+            patches.add_corner(corner,
+                               corner.slave_xi < 0 ? edge.begins_surface
+                                                   : edge.ends_surface);
+        }
+    }
+
+
+
+    std::string name_of_slip(const PointStatus<2> &status)
+    {
+      return status.slip_direction > 0 ? "slips along -t" : "slips along +t";
+    }
+
+    std::string name_of_slip(const PointStatus<3> &)
+    {
+      return "slips";
+    }
+
+
+
+    /// A status in a message; a point that slips does so against its shear.
+    template<int dim>
+    std::string describe(const PointStatus<dim> &status)
+    {
+      if (status.kind == Status::open)
+        return "open";
+      if (status.kind == Status::stick)
+        return "sticks";
+      return status.has_direction() ? name_of_slip(status) : "slips";
+    }
+  } // namespace
+
+
+
+  std::map<std::string, double> ContactResults::by_name(const int dim) const
+  {
+    return {{"normal_force", normal_force},
+            {"tangential_force", tangential_force},
+            {"max_pressure", max_pressure},
+            {"max_shear", max_shear},
+            {dim == 2 ? "width" : "area", dim == 2 ? width : area},
+            {dim == 2 ? "stick_width" : "stick_area",
+             dim == 2 ? stick_width : stick_area}};
+  }
+
+
+
+  template<>
+  ContactResults contact_results(const ContactInterface<2> &interface,
+                                 const ContactPair<2>      &contact_pair,
+                                 const GhostedVector       &solution,
+                                 const GhostedVector       &u_start,
+                                 const bool                 moving_bound)
+  {
+    ContactPatches patches(contact_pair.slave);
+    ContactResults results;
+    const auto     sample_of = [&](const ContactPoint<2> &point) {
+      const ContactState<2> now = interface.state(point, solution, u_start);
+      const Traction<2>     traction =
+        add_force(interface, point, now, moving_bound, results);
+      results.max_pressure = std::max(results.max_pressure, traction.p);
+      results.max_shear = std::max(results.max_shear, std::abs(traction.q[0]));
+      return PatchSample{patches.arc_length(point),
+                         true,
+                         point.status.kind == Status::stick,
+                         point.tangential_row_is_void &&
+                           !point.status.has_direction(),
+                         traction.p,
+                         std::abs(now.slip[0])};
+    };
+
+    // A node is in contact that is so on one of its sides.
+    std::map<types::global_dof_index, PatchSample> of_sides;
+    for (const ContactPoint<2> &point : interface.points_of(contact_pair))
+      if (point.side > 0 && point.facing && point.status.kind != Status::open)
+        of_sides.emplace(point.dofs(0)[0], sample_of(point));
+    for (const ContactPoint<2> &point : interface.points_of(contact_pair))
+      {
+        if (point.is_master_corner)
+          add_force(interface,
+                    point,
+                    interface.state(point, solution, u_start),
+                    moving_bound,
+                    results);
+        if (point.is_master_corner || point.side > 0)
+          continue;
+        const double s = patches.arc_length(point);
+        if (!point.facing || point.status.kind == Status::open)
+          {
+            if (const auto side = of_sides.find(point.dofs(0)[0]);
+                side != of_sides.end())
+              {
+                side->second.s = s;
+                patches.add(point, side->second);
+                continue;
+              }
+            // On an axis at degree 2 a force does no work on the rest, and
+            // round-off opens a point: contact goes on to it.
+            if (contact_pair.slave.degree == 1 ||
+                !contact_pair.discretization.is_on_axis(
+                  contact_pair.place(point)))
+              patches.add(point, {s, false, false, false, 0, 0});
+            continue;
+          }
+
+        patches.add(point, sample_of(point));
+      }
+    if (contact_pair.master)
+      add_corners_of_master(contact_pair, solution, patches);
+    results.width       = patches.width();
+    results.stick_width = patches.stick_width();
+    return results;
+  }
+
+
+
+  template<>
+  ContactResults contact_results(const ContactInterface<3> &interface,
+                                 const ContactPair<3>      &contact_pair,
+                                 const GhostedVector       &solution,
+                                 const GhostedVector       &u_start,
+                                 const bool                 moving_bound)
+  {
+    ContactResults results;
+    Tensor<1, 3>   shear;
+    for (const ContactPoint<3> &point : interface.points_of(contact_pair))
+      {
+        if (!point.facing || point.status.kind == Status::open)
+          continue;
+        const ContactState<3> now = interface.state(point, solution, u_start);
+        const Traction<3>     t   = interface.traction(point,
+                                                 point.status,
+                                                 now.p_trial,
+                                                 now.q_trial,
+                                                 moving_bound);
+        results.normal_force += point.weight * t.p;
+        shear += point.weight * point.along_tangents(t.q);
+        results.max_pressure = std::max(results.max_pressure, t.p);
+        results.max_shear    = std::max(results.max_shear, t.q.norm());
+        results.area += point.weight;
+        if (point.status.kind == Status::stick)
+          results.stick_area += point.weight;
+      }
+    results.tangential_force = shear.norm();
+    return results;
+  }
+
+
+
+  template<int dim>
+  unsigned int multiplier_at(const ContactInterface<dim> &interface,
+                             const ContactPair<dim>      &contact_pair,
+                             const unsigned int           node,
+                             const GhostedVector         &solution)
+  {
+    unsigned int found = contact_pair.multipliers.of_node[node];
+    if (contact_pair.has_point_per_multiplier() && !contact_pair.is_mortar())
+      return found;
+    for (const auto &[k, n] : contact_pair.multipliers.of_sides)
+      if (n == node && solution[interface.normal_index(k)] >
+                         solution[interface.normal_index(found)])
+        found = k;
+    return found;
+  }
+
+
+
+  template<int dim>
+  double pressure_at(const ContactInterface<dim> &interface,
+                     const ContactPair<dim>      &contact_pair,
+                     const unsigned int           node,
+                     const GhostedVector         &solution)
+  {
+    const unsigned int k =
+      multiplier_at(interface, contact_pair, node, solution);
+    const bool is_of_side = k != contact_pair.multipliers.of_node[node];
+    return contact_pair.has_point_per_multiplier() && !is_of_side
+             ? interface.pressure(contact_pair.pressure_at(node), solution)
+             : solution[interface.normal_index(k)];
+  }
+
+
+
+  namespace
+  {
+    /// The parts of the nodes of an edge in a force on it: linear between them.
+    /// The shape functions of degree 2 would pull at the far end.
+    PerEdgeNode<double> parts_of_force(const unsigned int degree, double xi)
+    {
+      xi = std::clamp(xi, -1., 1.);
+      if (degree == 1)
+        return {{(1 - xi) / 2, (1 + xi) / 2, 0}};
+      return {{std::max(0., -xi), std::max(0., xi), 1 - std::abs(xi)}};
+    }
+  } // namespace
+
+
+
+  // The multipliers of a solution are the tractions. A node without a point in
+  // contact is pushed along the normal of the corner's.
+  std::vector<CornerLoad> corner_loads(const ContactInterface<2> &interface,
+                                       const ContactPair<2>      &contact_pair,
+                                       const GhostedVector       &solution)
+  {
+    if (!contact_pair.has_corner_points())
+      return {};
+    MultiplierSpace numbering;
+    const auto      own = make_nodal_points(contact_pair.slave, {}, numbering);
+    const auto      corners = find_corners(contact_pair.slave, numbering, own);
+    const auto      normals = contact_pair.slave.facet_normals(solution);
+    const Surface<2>       &slave = contact_pair.slave;
+    std::vector<CornerLoad> loads;
+    std::map<types::global_dof_index, const ContactPoint<2> *> in_contact;
+    for (unsigned int n = 0; n < slave.nodes.size(); ++n)
+      loads.push_back({Tensor<1, 2>(), own[numbering.of_node[n]].weight});
+    for (const ContactPoint<2> &point : interface.points_of(contact_pair))
+      if (!point.is_master_corner && point.side == 0 && point.facing &&
+          point.status.kind != Status::open)
+        in_contact[point.dofs(0)[0]] = &point;
+
+    for (const ContactPoint<2> &point : interface.points_of(contact_pair))
+      if (point.is_master_corner && point.facing)
+        {
+          const ContactState<2> now =
+            interface.state(point, solution, solution);
+          const Tensor<1, 2> force =
+            point.weight *
+            (now.lambda_n * point.normal + now.lambda_t[0] * point.tangents[0]);
+          const auto parts = parts_of_force(slave.degree, point.master_xi);
+          for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+            {
+              const unsigned int n = slave.facets[point.master_facet].nodes[a];
+              const auto found     = in_contact.find(slave.nodes[n].dofs[0]);
+              const Tensor<1, 2> normal  = found == in_contact.end()
+                                             ? -point.normal
+                                             : found->second->normal;
+              const Tensor<1, 2> on_node = -parts[a] * force;
+              for (const SlaveCorner &corner : corners)
+                if (corner.node == n)
+                  loads[n].weight =
+                    corner.weight_towards(-point.normal, normals);
+              loads[n].force +=
+                Tensor<1, 2>({on_node * normal,
+                              on_node[1] * normal[0] - on_node[0] * normal[1]});
+            }
+        }
+    return loads;
+  }
+
+
+
+  template<int dim>
+  GhostedVector contact_forces(const ContactInterface<dim> &interface,
+                               const GhostedVector         &solution,
+                               const GhostedVector         &u_start,
+                               const bool                   moving_bound)
+  {
+    GhostedVector forces = u_start.zero();
+    for (const ContactPoint<dim> &point : interface.points())
+      {
+        const ContactState<dim> now = interface.state(point, solution, u_start);
+        const Traction<dim>     traction = interface.traction(point,
+                                                          point.status,
+                                                          now.p_trial,
+                                                          now.q_trial,
+                                                          moving_bound);
+        const Tensor<1, dim>    force =
+          point.weight *
+          (traction.p * point.normal + point.along_tangents(traction.q));
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          for (unsigned int c = 0; c < dim; ++c)
+            forces[point.dofs(a)[c]] += point.C[a] * force[c];
+      }
+    return forces;
+  }
+
+
+
+  template<int dim>
+  std::string describe_changes(const ContactInterface<dim>         &interface,
+                               const std::vector<PointStatus<dim>> &statuses,
+                               const GhostedVector                 &solution,
+                               const GhostedVector                 &u_start)
+  {
+    const unsigned int max_lines = 10;
+    unsigned int       n         = 0;
+    std::ostringstream text;
+    for (unsigned int q = 0; q < statuses.size(); ++q)
+      {
+        const ContactPoint<dim> &point = interface.points()[q];
+        if (point.status == statuses[q] || ++n > max_lines)
+          continue;
+        const ContactState<dim> now = interface.state(point, solution, u_start);
+        text << "\n        point " << q << " at X = ("
+             << interface.contact_pair(point).place(point)
+             << ") mm: " << describe(statuses[q]) << ", now "
+             << describe(point.status) << "; gap " << now.gap
+             << " mm, pressure " << now.lambda_n << " MPa, shear "
+             << now.lambda_t << " MPa";
+      }
+    if (n > max_lines)
+      text << "\n        and " << n - max_lines << " more";
+    return text.str();
+  }
+
+
+
+  bool is_at_corner(const ContactInterface<2> &interface,
+                    const NodeDoFs<2>         &node)
+  {
+    const double round_off = 1e-8;
+    const auto   ends_at   = [&](const Surface<2>  &surface,
+                             const unsigned int e,
+                             const unsigned int n) {
+      const SurfaceFacet<2> &edge = surface.facets[e];
+      if (edge.nodes[0] != n && edge.nodes[1] != n)
+        return false;
+      const unsigned int a = edge.nodes[0] == n ? 0 : 1;
+      const bool         is_end =
+        (a == 0 ? edge.previous : edge.next) == numbers::invalid_unsigned_int;
+      const Tensor<1, 2> along =
+        surface.nodes[edge.nodes[1]].X - surface.nodes[edge.nodes[0]].X;
+      return edge.corner[a] ||
+             (is_end &&
+              interface.discretization.free_part(node, along / along.norm())
+                  .norm() > round_off);
+    };
+    for (const auto &contact_pair : interface.pairs)
+      for (const Surface<2> *surface :
+           {&contact_pair->slave,
+            contact_pair->master ? &*contact_pair->master : nullptr})
+        for (unsigned int n = 0; surface && n < surface->nodes.size(); ++n)
+          if (surface->nodes[n].dofs == node)
+            {
+              const auto &edges   = surface->facets_of_node[n];
+              const auto  points  = interface.points_of(*contact_pair);
+              const auto  touches = [&](const ContactPoint<2> &point) {
+                return point.status.kind != Status::open &&
+                       std::count(point.nodes.begin(),
+                                  point.nodes.end(),
+                                  &surface->nodes[n]) > 0;
+              };
+              if (std::any_of(edges.begin(),
+                              edges.end(),
+                              [&](const unsigned int e) {
+                                return ends_at(*surface, e, n);
+                              }) &&
+                  std::any_of(points.begin(), points.end(), touches))
+                return true;
+            }
+    return false;
+  }
+
+  template unsigned int  multiplier_at(const ContactInterface<2> &,
+                                       const ContactPair<2> &,
+                                       const unsigned int,
+                                       const GhostedVector &);
+  template unsigned int  multiplier_at(const ContactInterface<3> &,
+                                       const ContactPair<3> &,
+                                       const unsigned int,
+                                       const GhostedVector &);
+  template double        pressure_at(const ContactInterface<2> &,
+                                     const ContactPair<2> &,
+                                     const unsigned int,
+                                     const GhostedVector &);
+  template double        pressure_at(const ContactInterface<3> &,
+                                     const ContactPair<3> &,
+                                     const unsigned int,
+                                     const GhostedVector &);
+  template GhostedVector contact_forces(const ContactInterface<2> &,
+                                        const GhostedVector &,
+                                        const GhostedVector &,
+                                        const bool);
+  template GhostedVector contact_forces(const ContactInterface<3> &,
+                                        const GhostedVector &,
+                                        const GhostedVector &,
+                                        const bool);
+  template std::string   describe_changes(const ContactInterface<2> &,
+                                          const std::vector<PointStatus<2>> &,
+                                          const GhostedVector &,
+                                          const GhostedVector &);
+  template std::string   describe_changes(const ContactInterface<3> &,
+                                          const std::vector<PointStatus<3>> &,
+                                          const GhostedVector &,
+                                          const GhostedVector &);
+} // namespace Contact

@@ -1,0 +1,123 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_contact_results_h
+#define contact_contact_results_h
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "contact/interface/contact_interface.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// The contact zone in a few numbers.
+  struct ContactResults
+  {
+    /// On the slave: sum over the points of w p and of w q, along the normals
+    /// and the tangents of the master [N per mm of thickness]; in space the
+    /// magnitude of the sum of the vectors w q [N].
+    double normal_force     = 0;
+    double tangential_force = 0;
+
+    /// The largest p and |q| of the points [MPa].
+    double max_pressure = 0;
+    double max_shear    = 0;
+
+    /// The lengths of all patches of contact, and of sticking, by the
+    /// undeformed arc length of the slave [mm]: see ContactPatches.
+    double width       = 0;
+    double stick_width = 0;
+
+    /// In space the areas that the points in contact, and those that stick,
+    /// stand for [mm^2]; there are no widths then.
+    double area       = 0;
+    double stick_area = 0;
+
+    /// With the widths in the plane, with the areas in space.
+    std::map<std::string, double> by_name(const int dim) const;
+  };
+
+  /// @p u_start is the solution at the start of the increment; with
+  /// @p moving_bound the bound of the shear is that of the present pressure.
+  template<int dim>
+  ContactResults contact_results(const ContactInterface<dim> &interface,
+                                 const ContactPair<dim>      &contact_pair,
+                                 const GhostedVector         &solution,
+                                 const GhostedVector         &u_start,
+                                 const bool moving_bound = false);
+
+  /// The forces of contact on the nodes by displacement unknown, w (p n + q t)
+  /// C summed over the points [N per mm of thickness; rings: N]. The vector is
+  /// as long as @p u_start.
+  template<int dim>
+  GhostedVector contact_forces(const ContactInterface<dim> &interface,
+                               const GhostedVector         &solution,
+                               const GhostedVector         &u_start,
+                               const bool                   moving_bound);
+
+  /// The multiplier at a node of the slave, or numbers::invalid_unsigned_int:
+  /// where each side of a corner has its own, that of the largest pressure.
+  template<int dim>
+  unsigned int multiplier_at(const ContactInterface<dim> &interface,
+                             const ContactPair<dim>      &contact_pair,
+                             const unsigned int           node,
+                             const GhostedVector         &solution);
+
+  /// The pressure there [MPa]; zero where there is none.
+  template<int dim>
+  double pressure_at(const ContactInterface<dim> &interface,
+                     const ContactPair<dim>      &contact_pair,
+                     const unsigned int           node,
+                     const GhostedVector         &solution);
+
+  /**
+   * The load of the points at corners of the master on a node of the slave: the
+   * force along normal and tangent of the node's own point, to be added to the
+   * force of that point [N per mm], and the integral of the node's shape
+   * function, over which it is spread [mm]: see SlaveCorner.
+   */
+  struct CornerLoad
+  {
+    Tensor<1, 2> force;
+    double       weight;
+
+    /// As pressure and shear (p, q) at the node [MPa].
+    Tensor<1, 2> traction() const
+    {
+      return force / weight;
+    }
+  };
+
+  /// By slave node; empty if there are no such points.
+  std::vector<CornerLoad> corner_loads(const ContactInterface<2> &interface,
+                                       const ContactPair<2>      &contact_pair,
+                                       const GhostedVector       &solution);
+
+  inline std::vector<CornerLoad> corner_loads(const ContactInterface<3> &,
+                                              const ContactPair<3> &,
+                                              const GhostedVector &)
+  {
+    return {};
+  }
+
+  /// The points that have changed their status since @p statuses, where, from
+  /// what to what: a line each, at most ten.
+  template<int dim>
+  std::string describe_changes(const ContactInterface<dim>         &interface,
+                               const std::vector<PointStatus<dim>> &statuses,
+                               const GhostedVector                 &solution,
+                               const GhostedVector                 &u_start);
+
+  /// Whether a node is where a surface has a corner, or ends, and touches:
+  /// there stresses are singular. The end at a line of symmetry is none.
+  bool is_at_corner(const ContactInterface<2> &interface,
+                    const NodeDoFs<2>         &node);
+} // namespace Contact
+
+#endif

@@ -1,0 +1,189 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/surfaces/face_clipping.h"
+
+#include <algorithm>
+#include <boost/container/small_vector.hpp>
+#include <cmath>
+
+namespace Contact
+{
+  namespace
+  {
+    using Polygon = boost::container::small_vector<Point<2>, 12>;
+
+
+
+    /// Twice the area of the triangle o, a, b; positive if it is
+    /// counterclockwise.
+    double cross(const Point<2> &o, const Point<2> &a, const Point<2> &b)
+    {
+      return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+    }
+
+
+
+    double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
+    {
+      return a[0] * b[1] - a[1] * b[0];
+    }
+
+
+
+    /// Counterclockwise round its corners.
+    Polygon make_polygon(const PlaneQuadrangle &q)
+    {
+      if (cross(q[0], q[1], q[3]) + cross(q[0], q[3], q[2]) >= 0)
+        return Polygon{q[0], q[1], q[3], q[2]};
+      return Polygon{q[0], q[2], q[3], q[1]};
+    }
+
+
+
+    double area(const Polygon &polygon)
+    {
+      double area = 0;
+      for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+        area += 0.5 * cross(polygon[0], polygon[i], polygon[i + 1]);
+      return area;
+    }
+
+
+
+    /// What of a polygon is to the left of the line from @p a to @p b.
+    Polygon clip(const Polygon &polygon, const Point<2> &a, const Point<2> &b)
+    {
+      Polygon left;
+      for (std::size_t i = 0; i < polygon.size(); ++i)
+        {
+          const Point<2> &x = polygon[i],
+                         &y = polygon[(i + 1) % polygon.size()];
+          const double of_x = cross(a, b, x), of_y = cross(a, b, y);
+          if (of_x >= 0)
+            left.push_back(x);
+          if ((of_x > 0 && of_y < 0) || (of_x < 0 && of_y > 0))
+            left.push_back(x + of_x / (of_x - of_y) * (y - x));
+        }
+      return left;
+    }
+  } // namespace
+
+
+
+  ProjectionPlane::ProjectionPlane(const Point<3>     &origin,
+                                   const Tensor<1, 3> &unit_normal)
+    : normal(unit_normal)
+    , origin(origin)
+  {
+    unsigned int axis = 0;
+    for (unsigned int i = 1; i < 3; ++i)
+      if (std::abs(normal[i]) < std::abs(normal[axis]))
+        axis = i;
+    const Tensor<1, 3> e = Point<3>::unit_vector(axis);
+    axes[0]              = e - (e * normal) * normal;
+    axes[0] /= axes[0].norm();
+    axes[1] = cross_product_3d(normal, axes[0]);
+  }
+
+
+
+  Point<2> ProjectionPlane::project(const Point<3> &x) const
+  {
+    const Tensor<1, 3> r = x - origin;
+    return Point<2>(r * axes[0], r * axes[1]);
+  }
+
+
+
+  double area(const PlaneTriangle &triangle)
+  {
+    const Tensor<1, 2> a = triangle[1] - triangle[0];
+    const Tensor<1, 2> b = triangle[2] - triangle[0];
+    return 0.5 * std::abs(a[0] * b[1] - a[1] * b[0]);
+  }
+
+
+
+  // A convex polygon is the triangles between a point inside and its sides.
+  PlaneTriangles intersection(const PlaneQuadrangle &a,
+                              const PlaneQuadrangle &b)
+  {
+    const Polygon subject = make_polygon(a), window = make_polygon(b);
+    const double  least  = 1e-12 * std::min(area(subject), area(window));
+    Polygon       common = subject;
+    for (std::size_t i = 0; i < window.size(); ++i)
+      common = clip(common, window[i], window[(i + 1) % window.size()]);
+    if (common.size() < 3 || area(common) <= least)
+      return {};
+
+    Point<2> middle;
+    for (const Point<2> &x : common)
+      middle += (x - Point<2>()) / double(common.size());
+    PlaneTriangles triangles;
+    for (std::size_t i = 0; i < common.size(); ++i)
+      {
+        const PlaneTriangle triangle{
+          {middle, common[i], common[(i + 1) % common.size()]}};
+        if (area(triangle) > least)
+          triangles.push_back(triangle);
+      }
+    return triangles;
+  }
+
+
+
+  BilinearMap::BilinearMap(const PlaneQuadrangle &q)
+    : middle(0.25 * (q[0] + (q[1] - Point<2>()) + (q[2] - Point<2>()) +
+                     (q[3] - Point<2>()) - Point<2>()))
+    , by_x(0.25 * ((q[1] - q[0]) + (q[3] - q[2])))
+    , by_y(0.25 * ((q[2] - q[0]) + (q[3] - q[1])))
+    , mixed(0.25 * ((q[3] - q[2]) - (q[1] - q[0])))
+    , bend((std::abs(cross(by_x, mixed)) + std::abs(cross(mixed, by_y))) /
+           std::abs(cross(by_x, by_y)))
+  {
+  }
+
+
+
+  // Newton's method from the middle. After a step the rest of the equation is
+  // the product of its components by the mixed term: nothing of a
+  // parallelogram.
+  Point<2> BilinearMap::coordinates_of(const Point<2> &x,
+                                       const Point<2> &start) const
+  {
+    const double       round_off = 1e-17;
+    const Tensor<1, 2> from      = x - Point<2>(middle);
+    Point<2>           xi        = start;
+    for (unsigned int iteration = 0; iteration < 30; ++iteration)
+      {
+        const Tensor<1, 2> r =
+          from - xi[0] * by_x - xi[1] * by_y - xi[0] * xi[1] * mixed;
+        const Tensor<1, 2> a = by_x + xi[1] * mixed, b = by_y + xi[0] * mixed;
+        const double       det = cross(a, b);
+        Tensor<1, 2>       step;
+        step[0] = cross(r, b) / det;
+        step[1] = cross(a, r) / det;
+        xi += step;
+        if (bend * std::abs(step[0] * step[1]) < round_off)
+          break;
+      }
+    return xi;
+  }
+
+
+
+  double BilinearMap::jacobian(const Point<2> &xi) const
+  {
+    return std::abs(cross(by_x + xi[1] * mixed, by_y + xi[0] * mixed));
+  }
+
+
+
+  Point<2> coordinates_in(const PlaneQuadrangle &q, const Point<2> &x)
+  {
+    return BilinearMap(q).coordinates_of(x);
+  }
+} // namespace Contact

@@ -1,0 +1,443 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/surfaces/surface.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_tools.h>
+
+#include <algorithm>
+#include <boost/serialization/utility.hpp>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "base/errors.h"
+
+namespace Contact
+{
+  namespace
+  {
+    /// A facet with its own nodes, as the ranks exchange it.
+    template<int dim>
+    struct LooseFacet
+    {
+      PerFacetNode<dim, SurfaceNode<dim>> nodes;
+      types::material_id                  body;
+      unsigned int                        part;
+      Point<dim>                          middle;
+      unsigned int                        level;
+      FacetName<dim>                      name;
+
+      /// The first unknowns of the nodes that a hanging one follows, and by how
+      /// much.
+      PerFacetNode<dim, std::vector<std::pair<types::global_dof_index, double>>>
+        leaders;
+
+      template<class Archive>
+      void serialize(Archive &archive, const unsigned int)
+      {
+        for (SurfaceNode<dim> &node : nodes)
+          {
+            for (auto &dof : node.dofs)
+              archive &dof;
+            archive &node.X;
+          }
+        archive &body &part &middle &level;
+        for (auto &dof : name)
+          archive &dof;
+        for (auto &of_node : leaders)
+          archive &of_node;
+      }
+    };
+
+
+
+    /// Of each cell of the coarse mesh, which every rank has, the connected
+    /// part of the mesh that it belongs to: a cell number that all of it share.
+    template<int dim>
+    std::vector<unsigned int> connected_parts(const Triangulation<dim> &mesh)
+    {
+      std::vector<unsigned int> root(mesh.n_cells(0));
+      std::iota(root.begin(), root.end(), 0);
+      const auto find = [&](unsigned int c) {
+        while (root[c] != c)
+          c = root[c] = root[root[c]];
+        return c;
+      };
+
+      std::map<unsigned int, unsigned int> cell_of_vertex;
+      for (const auto &cell : mesh.cell_iterators_on_level(0))
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            const unsigned int own = cell->index();
+            const auto         other =
+              cell_of_vertex.emplace(cell->vertex_index(v), own).first->second;
+            root[find(own)] = find(other);
+          }
+      for (unsigned int c = 0; c < root.size(); ++c)
+        root[c] = find(c);
+      return root;
+    }
+
+
+
+    /// The cell of the coarse mesh that a cell is a part of.
+    template<typename Cell>
+    unsigned int coarse_cell(Cell cell)
+    {
+      while (cell->level() > 0)
+        cell = cell->parent();
+      return cell->index();
+    }
+
+
+
+    /// The coordinates of a facet go round the outward normal.
+    void orient(LooseFacet<2> &edge, const Tensor<1, 2> &inward)
+    {
+      const Tensor<1, 2> along = edge.nodes[1].X - edge.nodes[0].X;
+      if (along[0] * inward[1] - along[1] * inward[0] < 0)
+        std::swap(edge.nodes[0], edge.nodes[1]);
+    }
+
+
+
+    // Exchanged coordinates exchange two corners, and the middles of the sides.
+    void orient(LooseFacet<3> &facet, const Tensor<1, 3> &inward)
+    {
+      auto              &nodes = facet.nodes;
+      const Tensor<1, 3> outward =
+        cross_product_3d(nodes[3].X - nodes[0].X, nodes[2].X - nodes[1].X);
+      if (outward * inward < 0)
+        return;
+      std::swap(nodes[1], nodes[2]);
+      std::swap(nodes[4], nodes[6]);
+      std::swap(nodes[5], nodes[7]);
+    }
+
+
+
+    /// Let the hanging nodes of a facet follow others. A node in the middle of
+    /// a larger side of degree 2 is the node that the larger facet has there.
+    template<int dim>
+    void find_leaders(const AffineConstraints<double> &hanging,
+                      LooseFacet<dim>                 &facet)
+    {
+      for (unsigned int a = 0; a < facet.nodes.size(); ++a)
+        {
+          auto       &dofs    = facet.nodes[a].dofs;
+          const auto *entries = hanging.get_constraint_entries(dofs[0]);
+          if (entries == nullptr)
+            continue;
+          if (entries->size() > 1)
+            facet.leaders[a] = *entries;
+          else
+            for (auto &dof : dofs)
+              dof = hanging.get_constraint_entries(dof)->front().first;
+        }
+    }
+
+
+
+    /// A face of a cell at the boundary, its part left open. The unknowns of a
+    /// face come in the order of its own vertices, then the middles of its
+    /// sides, and its centre.
+    template<int dim>
+    LooseFacet<dim>
+    make_loose_facet(const Discretization<dim> &discretization,
+                     const typename DoFHandler<dim>::active_cell_iterator &cell,
+                     const unsigned int                                    f)
+    {
+      const auto                           face  = cell->face(f);
+      const unsigned int                   index = cell->active_fe_index();
+      const auto                          &fe    = cell->get_fe();
+      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face(f));
+      std::vector<types::global_dof_index> of_cell(fe.n_dofs_per_cell());
+      face->get_dof_indices(dofs, index);
+      cell->get_dof_indices(of_cell);
+
+      LooseFacet<dim> facet;
+      facet.body  = cell->material_id();
+      facet.level = cell->level();
+      // Round sides do not make a flat face round.
+      facet.middle = face->center(
+        /*respect_manifold=*/face->manifold_id() != numbers::flat_manifold_id);
+      facet.name = facet_name(discretization, face);
+      for (unsigned int k = 0; k < dofs.size(); ++k)
+        {
+          const auto [c, a]      = fe.face_system_to_component_index(k, f);
+          facet.nodes[a].dofs[c] = dofs[k];
+          if (c > 0)
+            continue;
+          const unsigned int in_cell =
+            std::find(of_cell.begin(), of_cell.end(), dofs[k]) -
+            of_cell.begin();
+          facet.nodes[a].X =
+            a < face->n_vertices()
+              ? face->vertex(a)
+              : discretization.mapping[index].transform_unit_to_real_cell(
+                  cell,
+                  fe.base_element(0).unit_support_point(
+                    fe.system_to_component_index(in_cell).second));
+        }
+      orient(facet, cell->center() - face->center());
+      return facet;
+    }
+  } // namespace
+
+
+
+  template<int dim>
+  Surface<dim>::Surface(const Discretization<dim>          &discretization,
+                        const std::set<types::boundary_id> &boundary_ids,
+                        const std::string                  &name)
+    : degree(discretization.degree)
+    , discretization(discretization)
+  {
+    collect_facets(boundary_ids);
+    if (facets.empty())
+      throw InputError("the surface '" + name + "' has no " +
+                         (dim == 2 ? "edge" : "face"),
+                       "Contact",
+                       std::string("name a boundary group of the mesh that ") +
+                         "has " + (dim == 2 ? "lines" : "surfaces"));
+    arrange();
+    find_parted();
+  }
+
+
+
+  // Every rank collects the facets of its own cells; put together, all have the
+  // whole surface.
+  template<int dim>
+  void
+  Surface<dim>::collect_facets(const std::set<types::boundary_id> &boundary_ids)
+  {
+    const auto parts = connected_parts(discretization.mesh.triangulation);
+    AffineConstraints<double> hanging;
+    if (dim == 3 && discretization.mesh.triangulation.has_hanging_nodes())
+      DoFTools::make_hanging_node_constraints(discretization.dof_handler,
+                                              hanging);
+    hanging.close();
+    std::vector<LooseFacet<dim>> own;
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        {
+          const auto face = cell->face(f);
+          if (!cell->is_locally_owned() || !face->at_boundary() ||
+              boundary_ids.count(face->boundary_id()) == 0)
+            continue;
+
+          own.push_back(make_loose_facet<dim>(discretization, cell, f));
+          find_leaders(hanging, own.back());
+          own.back().part =
+            parts[coarse_cell<typename Triangulation<dim>::cell_iterator>(
+              cell)];
+        }
+
+    std::map<types::global_dof_index, unsigned int> node_of_dof;
+    const auto                                      all_facets =
+      Utilities::MPI::all_gather(discretization.communicator, own);
+    for (const auto &of_rank : all_facets)
+      for (const LooseFacet<dim> &loose : of_rank)
+        {
+          SurfaceFacet<dim> facet;
+          facet.nodes.fill(0);
+          facet.body   = loose.body;
+          facet.part   = loose.part;
+          facet.middle = loose.middle;
+          facet.level  = loose.level;
+          facet.name   = loose.name;
+          for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+            {
+              const SurfaceNode<dim> &node = loose.nodes[a];
+              const auto              found =
+                node_of_dof.emplace(node.dofs[0], nodes.size());
+              if (found.second)
+                nodes.push_back(node);
+              facet.nodes[a] = found.first->second;
+            }
+          facets.push_back(facet);
+        }
+
+    leaders.resize(nodes.size());
+    for (const auto &of_rank : all_facets)
+      for (const LooseFacet<dim> &loose : of_rank)
+        for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+          if (auto &of_node = leaders[node_of_dof.at(loose.nodes[a].dofs[0])];
+              of_node.empty())
+            for (const auto &[dof, part] : loose.leaders[a])
+              of_node.emplace_back(node_of_dof.at(dof), part);
+  }
+
+
+
+  template<int dim>
+  std::vector<typename Surface<dim>::Part>
+  Surface<dim>::followed_by(const unsigned int node) const
+  {
+    return leaders[node].empty() ? std::vector<Part>{{node, 1.}}
+                                 : leaders[node];
+  }
+
+
+
+  template<int dim>
+  std::vector<typename Surface<dim>::Part>
+  Surface<dim>::heirs(const unsigned int node) const
+  {
+    if (leaders[node].empty())
+      return {{node, 1.}};
+    std::vector<Part> heirs;
+    for (const auto &[leader, part] : leaders[node])
+      if (part > 0)
+        heirs.emplace_back(leader, 0.5);
+    return heirs;
+  }
+
+
+
+  template<int dim>
+  Point<dim> Surface<dim>::position(const unsigned int   node,
+                                    const GhostedVector &u) const
+  {
+    Point<dim> x = nodes[node].X;
+    if (u.size() > 0)
+      for (unsigned int c = 0; c < dim; ++c)
+        x[c] += u[nodes[node].dofs[c]];
+    return x;
+  }
+
+
+
+  template<int dim>
+  Tensor<1, dim> Surface<dim>::normal(const SurfaceFacet<dim> &facet,
+                                      const unsigned int       a,
+                                      const GhostedVector     &u) const
+  {
+    const FacetShape<dim>               shape(degree, node_place<dim>(a));
+    std::array<Tensor<1, dim>, dim - 1> tangents;
+    for (unsigned int b = 0; b < n_nodes_per_facet(); ++b)
+      for (unsigned int k = 0; k < dim - 1; ++k)
+        tangents[k] += shape.derivative(b, k) * position(facet.nodes[b], u);
+    const Tensor<1, dim> outward = outward_normal(tangents);
+    return outward / outward.norm();
+  }
+
+
+
+  template<int dim>
+  std::vector<Tensor<1, dim>>
+  Surface<dim>::normals(const GhostedVector &u) const
+  {
+    std::vector<Tensor<1, dim>> normals(nodes.size());
+    for (const SurfaceFacet<dim> &facet : facets)
+      for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+        normals[facet.nodes[a]] += normal(facet, a, u);
+    for (Tensor<1, dim> &normal : normals)
+      normal /= normal.norm();
+    return normals;
+  }
+
+
+
+  namespace
+  {
+    bool is_on_curve(const Surface<2> &surface, const unsigned int node)
+    {
+      const auto &edges = surface.facets_of_node[node];
+      return std::any_of(edges.begin(), edges.end(), [&](const auto e) {
+        return surface.facets[e].nodes[0] == node &&
+               std::abs(surface.turn_of_curves(e)) <=
+                 numbers::PI / 180 * Surface<2>::feature_angle;
+      });
+    }
+
+    bool is_on_curve(const Surface<3> &, const unsigned int)
+    {
+      return false;
+    }
+  } // namespace
+
+
+
+  template<int dim>
+  std::vector<std::vector<unsigned int>>
+  Surface<dim>::sides_of_node(const unsigned int node) const
+  {
+    if (is_on_curve(*this, node))
+      return {facets_of_node[node]};
+    std::vector<std::vector<unsigned int>> sides;
+    for (const unsigned int e : facets_of_node[node])
+      if (std::none_of(sides.begin(), sides.end(), [&](const auto &side) {
+            return std::find(side.begin(), side.end(), e) != side.end();
+          }))
+        {
+          const auto &nodes = facets[e].nodes;
+          sides.push_back(
+            smooth_around(e,
+                          std::find(nodes.begin(), nodes.end(), node) -
+                            nodes.begin()));
+        }
+    return sides;
+  }
+
+
+
+  template<int dim>
+  void Surface<dim>::find_parted()
+  {
+    parted.resize(facets.size());
+    for (unsigned int e = 0; e < facets.size(); ++e)
+      for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+        {
+          auto around = smooth_around(e, a);
+          if (around.size() != facets_of_node[facets[e].nodes[a]].size())
+            parted[e][a] = std::move(around);
+        }
+  }
+
+
+
+  template<int dim>
+  FacetNormals<dim> Surface<dim>::facet_normals(const GhostedVector &u) const
+  {
+    const auto        mean = normals(u);
+    FacetNormals<dim> normals(facets.size());
+    for (unsigned int e = 0; e < facets.size(); ++e)
+      for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+        {
+          const unsigned int node = facets[e].nodes[a];
+          normals[e][a]           = parted[e][a].empty()
+                                      ? mean[node]
+                                      : mean_normal(node, parted[e][a], u);
+        }
+    return normals;
+  }
+
+
+
+  template<int dim>
+  Tensor<1, dim>
+  Surface<dim>::mean_normal(const unsigned int               node,
+                            const std::vector<unsigned int> &of_facets,
+                            const GhostedVector             &u) const
+  {
+    Tensor<1, dim> sum;
+    for (const unsigned int e : of_facets)
+      {
+        const auto &of_facet = facets[e].nodes;
+        sum += normal(facets[e],
+                      std::find(of_facet.begin(), of_facet.end(), node) -
+                        of_facet.begin(),
+                      u);
+      }
+    return of_facets.size() == 1 ? sum : sum / sum.norm();
+  }
+
+  template class Surface<2>;
+  template class Surface<3>;
+} // namespace Contact

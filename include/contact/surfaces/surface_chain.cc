@@ -1,0 +1,300 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// The part of Surface on what edges in the plane are: chains.
+
+#include <algorithm>
+#include <map>
+
+#include "contact/surfaces/surface.h"
+
+namespace Contact
+{
+  namespace
+  {
+    /// The angle from a to b, positive to the left [rad].
+    double angle(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
+    {
+      return std::atan2(a[0] * b[1] - a[1] * b[0], a * b);
+    }
+  } // namespace
+
+
+
+  template<>
+  double node_place<2>(const unsigned int a)
+  {
+    return node_coordinates[a];
+  }
+
+
+
+  template<>
+  Tensor<1, 2> Surface<2>::reference_tangent(const SurfaceFacet<2> &edge,
+                                             const double           xi) const
+  {
+    const EdgeShape shape(degree, xi);
+    Tensor<1, 2>    tangent;
+    for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+      tangent += shape.first[a] * nodes[edge.nodes[a]].X;
+    return tangent;
+  }
+
+
+
+  template<>
+  void Surface<2>::chain_edges()
+  {
+    std::map<unsigned int, unsigned int> begins_at, ends_at;
+    for (unsigned int e = 0; e < facets.size(); ++e)
+      {
+        begins_at[facets[e].nodes[0]] = e;
+        ends_at[facets[e].nodes[1]]   = e;
+      }
+    for (SurfaceFacet<2> &edge : facets)
+      {
+        edge.begins_surface = ends_at.count(edge.nodes[0]) == 0;
+        edge.ends_surface   = begins_at.count(edge.nodes[1]) == 0;
+      }
+
+    // Follow every open chain from its beginning, then what is left: loops.
+    std::vector<SurfaceFacet<2>> chained;
+    std::vector<bool>            taken(facets.size(), false);
+    const auto                   follow = [&](unsigned int e) {
+      while (!taken[e])
+        {
+          taken[e] = true;
+          chained.push_back(facets[e]);
+          if (!facets[e].ends_surface)
+            e = begins_at[facets[e].nodes[1]];
+        }
+    };
+    for (unsigned int e = 0; e < facets.size(); ++e)
+      if (facets[e].begins_surface)
+        follow(e);
+    for (unsigned int e = 0; e < facets.size(); ++e)
+      follow(e);
+    facets = chained;
+  }
+
+
+
+  template<>
+  void Surface<2>::renumber_nodes()
+  {
+    std::vector<unsigned int>   new_number(nodes.size(),
+                                         numbers::invalid_unsigned_int);
+    std::vector<SurfaceNode<2>> ordered;
+    for (SurfaceFacet<2> &edge : facets)
+      {
+        // Along the edge: first, (middle,) last.
+        std::vector<unsigned int> along{0, 1};
+        if (degree == 2)
+          along = {0, 2, 1};
+        for (const unsigned int a : along)
+          {
+            unsigned int &node = edge.nodes[a];
+            if (new_number[node] == numbers::invalid_unsigned_int)
+              {
+                new_number[node] = ordered.size();
+                ordered.push_back(nodes[node]);
+              }
+            node = new_number[node];
+          }
+      }
+    nodes = ordered; // none of them hangs
+  }
+
+
+
+  template<>
+  void Surface<2>::link_edges()
+  {
+    std::map<unsigned int, unsigned int> begins_at;
+    facets_of_node.resize(nodes.size());
+    for (unsigned int e = 0; e < facets.size(); ++e)
+      {
+        begins_at[facets[e].nodes[0]] = e;
+        for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+          facets_of_node[facets[e].nodes[a]].push_back(e);
+      }
+    for (unsigned int e = 0; e < facets.size(); ++e)
+      if (!facets[e].ends_surface)
+        {
+          facets[e].next                  = begins_at.at(facets[e].nodes[1]);
+          facets[facets[e].next].previous = e;
+        }
+  }
+
+
+
+  // With the body on the left, the surface turns to the left where it is
+  // convex.
+  template<>
+  void Surface<2>::find_corners()
+  {
+    for (SurfaceFacet<2> &edge : facets)
+      {
+        edge.begins_face = edge.begins_face || edge.begins_surface;
+        edge.ends_face   = edge.ends_face || edge.ends_surface;
+        if (edge.previous == numbers::invalid_unsigned_int)
+          continue;
+        SurfaceFacet<2> &before = facets[edge.previous];
+        const double     turn =
+          angle(reference_tangent(before, 1), reference_tangent(edge, -1));
+        if (std::abs(turn) <= numbers::PI / 180 * feature_angle)
+          continue;
+        before.corner[1] = edge.corner[0] = true;
+        if (turn > 0)
+          before.ends_face = edge.begins_face = true;
+      }
+  }
+
+
+
+  // The middle of an arc of two edges turns by as much as both of its ends do
+  // together, on longer arcs every kink turns by less. Beside an end of the
+  // surface nothing is known of how it goes on.
+  template<>
+  void Surface<2>::find_lone_kinks()
+  {
+    const auto turn_at = [this](const unsigned int e) {
+      return e == numbers::invalid_unsigned_int ||
+                 facets[e].previous == numbers::invalid_unsigned_int
+               ? numbers::PI
+               : std::abs(
+                   angle(reference_tangent(facets[facets[e].previous], 1),
+                         reference_tangent(facets[e], -1)));
+    };
+    for (unsigned int e = 0; e < facets.size(); ++e)
+      {
+        SurfaceFacet<2> &edge = facets[e];
+        if (edge.previous == numbers::invalid_unsigned_int)
+          continue;
+        const double turn = turn_at(e);
+        const bool   is_alone =
+          turn > numbers::PI / 360 * feature_angle &&
+          turn_at(edge.previous) + turn_at(edge.next) < turn / 2;
+        facets[edge.previous].parts_sides[1] = edge.parts_sides[0] =
+          edge.corner[0] || is_alone;
+      }
+  }
+
+
+
+  // On an arc the angle between the chords of its halves is half of what it
+  // turns by, and each chord is a quarter of that off the tangent at its end.
+  template<>
+  double Surface<2>::turn_of_curves(const unsigned int e) const
+  {
+    if (facets[e].previous == numbers::invalid_unsigned_int)
+      return 0;
+    const auto half = [this](const SurfaceFacet<2> &edge,
+                             const unsigned int     a) {
+      const Point<2> end = nodes[edge.nodes[a]].X;
+      return a == 0 ? edge.middle - end : end - edge.middle;
+    };
+    const SurfaceFacet<2> &before = facets[facets[e].previous];
+    return angle(half(before, 1), half(facets[e], 0)) -
+           0.5 * (angle(half(before, 0), half(before, 1)) +
+                  angle(half(facets[e], 0), half(facets[e], 1)));
+  }
+
+
+
+  template<>
+  void Surface<2>::measure_turns()
+  {
+    turns.assign(nodes.size(), 0.);
+    const auto chord = [this](const SurfaceFacet<2> &edge) {
+      return nodes[edge.nodes[1]].X - nodes[edge.nodes[0]].X;
+    };
+    for (const SurfaceFacet<2> &edge : facets)
+      {
+        if (edge.previous != numbers::invalid_unsigned_int)
+          turns[edge.nodes[0]] =
+            std::abs(angle(chord(facets[edge.previous]), chord(edge)));
+        if (degree == 2)
+          turns[edge.nodes[2]] = std::abs(
+            angle(reference_tangent(edge, -1), reference_tangent(edge, 1)));
+      }
+
+    // The body ends there, or it goes on with a side that is in no group.
+    for (const SurfaceFacet<2> &edge : facets)
+      for (unsigned int a = 0; a < 2; ++a)
+        if (a == 0 ? edge.begins_surface : edge.ends_surface)
+          turns[edge.nodes[a]] = numbers::PI / 2;
+  }
+
+
+
+  template<>
+  void Surface<2>::arrange()
+  {
+    chain_edges();
+    renumber_nodes();
+    link_edges();
+    find_corners();
+    find_lone_kinks();
+    measure_turns();
+  }
+
+
+
+  template<>
+  std::vector<double>
+  Surface<2>::arc_length(const std::vector<Point<2>> &x) const
+  {
+    std::vector<double> s(nodes.size(), 0.);
+    for (unsigned int i = 1; i < s.size(); ++i)
+      s[i] = s[i - 1] + x[i].distance(x[i - 1]);
+    return s;
+  }
+
+
+
+  template<>
+  double Surface<2>::largest_bend() const
+  {
+    const auto is_straight = [this](const SurfaceFacet<2> &edge) {
+      const Point<2> &a = nodes[edge.nodes[0]].X, &b = nodes[edge.nodes[1]].X;
+      return edge.middle.distance(a + 0.5 * (b - a)) <= 1e-6 * a.distance(b);
+    };
+    const auto chord = [this](const SurfaceFacet<2> &edge) {
+      return nodes[edge.nodes[1]].X - nodes[edge.nodes[0]].X;
+    };
+    double largest = 0;
+    for (const SurfaceFacet<2> &edge : facets)
+      if (edge.previous != numbers::invalid_unsigned_int)
+        {
+          const double bend =
+            180 / numbers::PI *
+            std::abs(angle(chord(facets[edge.previous]), chord(edge)));
+          if (!edge.corner[0] && is_straight(edge))
+            largest = std::max(largest, bend);
+        }
+    return largest;
+  }
+
+
+
+  template<>
+  std::vector<unsigned int>
+  Surface<2>::smooth_around(const unsigned int edge, const unsigned int a) const
+  {
+    if (a < 2 && facets[edge].corner[a])
+      return {edge};
+    return facets_of_node[facets[edge].nodes[a]];
+  }
+
+
+
+  template<>
+  double Surface<2>::reference_length(const unsigned int edge) const
+  {
+    const auto &ends = facets[edge].nodes;
+    return nodes[ends[0]].X.distance(nodes[ends[1]].X);
+  }
+} // namespace Contact

@@ -1,0 +1,230 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// The part of Surface on what quadrangles in space are: sides in common.
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <map>
+
+#include "contact/surfaces/surface.h"
+
+namespace Contact
+{
+  template<>
+  Point<2> node_place<3>(const unsigned int a)
+  {
+    const auto [i, j] = FacetShapes<3, double>::factors[a];
+    return {node_coordinates[i], node_coordinates[j]};
+  }
+
+
+
+  namespace
+  {
+    /// Two nodes, or a facet and the number of a side.
+    using Side = std::pair<unsigned int, unsigned int>;
+  } // namespace
+
+
+
+  // A side that two smaller facets share has the first of them as its neighbor.
+  template<>
+  void Surface<3>::link_halves_of_sides()
+  {
+    std::map<Side, std::vector<unsigned int>> middles; // by the ends
+    for (unsigned int node = 0; node < nodes.size(); ++node)
+      if (leaders[node].size() == 2)
+        middles[std::minmax(leaders[node][0].first, leaders[node][1].first)]
+          .push_back(node);
+
+    std::map<Side, Side> side_of; // by the ends of halves
+    for (unsigned int e = 0; e < facets.size(); ++e)
+      for (unsigned int s = 0; s < 4; ++s)
+        {
+          const auto [a, b] = SurfaceFacet<3>::corners_of_side[s];
+          const Side ends = std::minmax(facets[e].nodes[a], facets[e].nodes[b]);
+          const auto halve = [&](const unsigned int middle) {
+            side_of.emplace(std::minmax(ends.first, middle), Side(e, s));
+            side_of.emplace(std::minmax(middle, ends.second), Side(e, s));
+          };
+          if (degree == 2)
+            halve(facets[e].nodes[4 + s]);
+          else if (const auto found = middles.find(ends);
+                   found != middles.end())
+            for (const unsigned int middle : found->second)
+              halve(middle);
+        }
+
+    for (unsigned int e = 0; e < facets.size(); ++e)
+      for (unsigned int s = 0; s < 4; ++s)
+        {
+          const auto [a, b] = SurfaceFacet<3>::corners_of_side[s];
+          const auto larger =
+            side_of.find(std::minmax(facets[e].nodes[a], facets[e].nodes[b]));
+          if (facets[e].neighbors[s] != numbers::invalid_unsigned_int ||
+              larger == side_of.end())
+            continue;
+          const auto [other, side] = larger->second;
+          facets[e].neighbors[s]   = other;
+          if (facets[other].neighbors[side] == numbers::invalid_unsigned_int)
+            facets[other].neighbors[side] = e;
+        }
+  }
+
+
+
+  template<>
+  void Surface<3>::link_sides()
+  {
+    std::map<Side, Side> side_of;
+    for (unsigned int e = 0; e < facets.size(); ++e)
+      for (unsigned int s = 0; s < 4; ++s)
+        {
+          const auto [a, b] = SurfaceFacet<3>::corners_of_side[s];
+          const Side ends = std::minmax(facets[e].nodes[a], facets[e].nodes[b]);
+          const auto found = side_of.emplace(ends, Side(e, s));
+          if (found.second)
+            continue;
+          const auto [other, side]      = found.first->second;
+          facets[e].neighbors[s]        = other;
+          facets[other].neighbors[side] = e;
+        }
+    link_halves_of_sides();
+  }
+
+
+
+  // The facets meet in a corner if their normals at the middle of the side
+  // differ: a convex one if the other facet falls off behind the plane of this
+  // one.
+  template<>
+  void Surface<3>::find_corners()
+  {
+    const GhostedVector undeformed;
+    const auto normal_at = [&](const SurfaceFacet<3> &facet, const Side &ends) {
+      Tensor<1, 3> sum;
+      for (unsigned int a = 0; a < 4; ++a)
+        if (facet.nodes[a] == ends.first || facet.nodes[a] == ends.second)
+          sum += normal(facet, a, undeformed);
+      return sum / sum.norm();
+    };
+    const double smallest_cosine = std::cos(numbers::PI / 180 * feature_angle);
+    for (SurfaceFacet<3> &facet : facets)
+      for (unsigned int s = 0; s < 4; ++s)
+        {
+          if (facet.neighbors[s] == numbers::invalid_unsigned_int)
+            continue;
+          const SurfaceFacet<3> &other = facets[facet.neighbors[s]];
+          const auto [a, b]            = SurfaceFacet<3>::corners_of_side[s];
+          const Side         ends(facet.nodes[a], facet.nodes[b]);
+          const Tensor<1, 3> own  = normal_at(facet, ends);
+          const Tensor<1, 3> next = normal_at(other, ends);
+          facet.corner[s]         = own * next < smallest_cosine;
+          facet.ends_face[s] =
+            facet.corner[s] && own * (other.middle - nodes[ends.first].X) < 0;
+        }
+  }
+
+
+
+  template<>
+  void Surface<3>::arrange()
+  {
+    facets_of_node.resize(nodes.size());
+    for (unsigned int e = 0; e < facets.size(); ++e)
+      for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+        facets_of_node[facets[e].nodes[a]].push_back(e);
+    link_sides();
+    find_corners();
+  }
+
+
+
+  // From facet to facet across the sides at the node that are no corners. A
+  // facet that has two smaller ones as neighbors across a side knows one.
+  template<>
+  std::vector<unsigned int>
+  Surface<3>::smooth_around(const unsigned int facet,
+                            const unsigned int a) const
+  {
+    const unsigned int        node = facets[facet].nodes[a];
+    std::vector<unsigned int> around{facet};
+    const auto leads_to = [&](const unsigned int from, const unsigned int to) {
+      for (unsigned int s = 0; s < 4; ++s)
+        if (facets[from].neighbors[s] == to && !facets[from].corner[s])
+          return true;
+      return false;
+    };
+    for (unsigned int k = 0; k < around.size(); ++k)
+      for (const unsigned int next : facets_of_node[node])
+        if ((leads_to(around[k], next) || leads_to(next, around[k])) &&
+            std::find(around.begin(), around.end(), next) == around.end())
+          around.push_back(next);
+    std::sort(around.begin(), around.end());
+    return around;
+  }
+
+
+
+  template<>
+  double Surface<3>::reference_length(const unsigned int facet) const
+  {
+    const auto &a = facets[facet].nodes;
+    return std::min(nodes[a[0]].X.distance(nodes[a[3]].X),
+                    nodes[a[1]].X.distance(nodes[a[2]].X)) /
+           std::sqrt(2.);
+  }
+
+
+
+  // Flat facets stand for themselves.
+  template<>
+  double Surface<3>::largest_bend() const
+  {
+    const GhostedVector undeformed;
+    double              smallest_cosine = 1;
+    for (const SurfaceFacet<3> &facet : facets)
+      {
+        Tensor<1, 3> centre;
+        for (unsigned int a = 0; a < 4; ++a)
+          centre += 0.25 * Tensor<1, 3>(nodes[facet.nodes[a]].X);
+        const double size =
+          nodes[facet.nodes[0]].X.distance(nodes[facet.nodes[3]].X);
+        if ((facet.middle - centre).norm() > 1e-6 * size)
+          continue;
+        for (unsigned int s = 0; s < 4; ++s)
+          if (!facet.corner[s] &&
+              facet.neighbors[s] != numbers::invalid_unsigned_int)
+            smallest_cosine =
+              std::min(smallest_cosine,
+                       normal(facet, 0, undeformed) *
+                         normal(facets[facet.neighbors[s]], 0, undeformed));
+      }
+    return 180 / numbers::PI * std::acos(std::max(-1., smallest_cosine));
+  }
+
+
+
+  template<>
+  std::vector<double>
+  Surface<3>::shares_of_nodes(const unsigned int facet) const
+  {
+    static const std::array<QGauss<2>, 2> rules{{QGauss<2>(2), QGauss<2>(3)}};
+    const QGauss<2>                      &quadrature = rules[degree - 1];
+    std::vector<double>                   shares(n_nodes_per_facet());
+    for (unsigned int q = 0; q < quadrature.size(); ++q)
+      {
+        const Point<2>      xi(2 * quadrature.point(q)[0] - 1,
+                          2 * quadrature.point(q)[1] - 1);
+        const FacetShape<3> shape(degree, xi);
+        const double        jacobian = reference_jacobian(facets[facet], shape);
+        for (unsigned int a = 0; a < shares.size(); ++a)
+          shares[a] += 4 * quadrature.weight(q) * shape.value[a] * jacobian;
+      }
+    return shares;
+  }
+} // namespace Contact

@@ -1,0 +1,102 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/surfaces/symmetry_planes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/surfaces/face_search.h"
+
+namespace Contact
+{
+  SymmetryPlanes::SymmetryPlanes(const Surface<3>        &slave,
+                                 const Surface<3>        &master,
+                                 const Discretization<3> &discretization)
+    : discretization(discretization)
+  {
+    const double tolerance = 1e-6 * slave.reference_length(0);
+    const double round_off = 1e-8;
+    for (const SurfaceNode<3> &node : slave.nodes)
+      {
+        auto directions = discretization.normal_supports.normals(node.dofs);
+        for (const unsigned int c : {0, 1, 2})
+          directions.push_back(Point<3>::unit_vector(c));
+        for (const Tensor<1, 3> &across : directions)
+          {
+            const Plane plane{across, across * node.X, tolerance, node.dofs};
+            if (discretization.free_part(node.dofs, across).norm() >
+                  round_off ||
+                std::any_of(planes.begin(), planes.end(), [&](const Plane &p) {
+                  return std::abs(p.across * across) > 1 - round_off &&
+                         is_on(p, node);
+                }))
+              continue;
+            if (std::any_of(master.nodes.begin(),
+                            master.nodes.end(),
+                            [&](const SurfaceNode<3> &other) {
+                              return is_on(plane, other);
+                            }))
+              planes.push_back(plane);
+          }
+      }
+  }
+
+
+
+  bool SymmetryPlanes::is_on(const Plane          &plane,
+                             const SurfaceNode<3> &node) const
+  {
+    return std::abs(plane.across * node.X - plane.place) < plane.tolerance &&
+           discretization.are_held_alike(plane.held, node.dofs, plane.across);
+  }
+
+
+
+  // A surface that lies in the plane or meets it at a slant has its own normal.
+  FacetNormals<3> SymmetryPlanes::facet_normals(const Surface<3>    &surface,
+                                                const GhostedVector &u) const
+  {
+    FacetNormals<3> normals = surface.facet_normals(u);
+    const double    smooth  = Surface<3>::sine_of_smooth_slant();
+    for (unsigned int e = 0; e < surface.facets.size() && !planes.empty(); ++e)
+      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+        for (const Plane &plane : planes)
+          {
+            Tensor<1, 3> &normal = normals[e][a];
+            const double  across = normal * plane.across;
+            if (std::abs(across) < smooth &&
+                is_on(plane, surface.nodes[surface.facets[e].nodes[a]]))
+              {
+                normal -= across * plane.across;
+                normal /= normal.norm();
+              }
+          }
+    return normals;
+  }
+
+
+
+  std::vector<double> SymmetryPlanes::bends(const Surface<3> &surface) const
+  {
+    const GhostedVector       undeformed(discretization.distribution);
+    const auto                means = facet_normals(surface, undeformed);
+    const SurfaceSearch<3>    search(surface, undeformed);
+    std::vector<double>       bends(surface.nodes.size(), 0.);
+    std::vector<Tensor<1, 3>> mean(surface.nodes.size());
+    for (unsigned int e = 0; e < surface.facets.size(); ++e)
+      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+        mean[surface.facets[e].nodes[a]] += means[e][a];
+    for (unsigned int e = 0; e < surface.facets.size(); ++e)
+      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+        {
+          const unsigned int node = surface.facets[e].nodes[a];
+          const Tensor<1, 3> own  = search.normal(e, node_place<3>(a));
+          bends[node]             = std::max(bends[node],
+                                 (own - mean[node] / mean[node].norm()).norm());
+        }
+    return bends;
+  }
+} // namespace Contact

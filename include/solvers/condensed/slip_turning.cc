@@ -1,0 +1,181 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/condensed/slip_turning.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+namespace Contact
+{
+  namespace
+  {
+    using Term = SlipTurning<3>::Term;
+
+    /// The slip with what springs give way.
+    template<int dim>
+    Tensor<1, dim - 1> way(const ContactPoint<dim> &point,
+                           const ContactState<dim> &now)
+    {
+      return now.slip - point.springs * (now.lambda_t - point.shear_at_start) /
+                          point.augmentation_parameter;
+    }
+
+
+
+    /// Make of @p term what the system gets, with the load of @p acting, a
+    /// shear by tangent.
+    void complete(const ContactPoint<3> &point,
+                  const Tensor<1, 2>    &acting,
+                  Term                  &term)
+    {
+      const unsigned int n = 3 * point.n_nodes;
+      term.stiffness.reinit(n, n);
+      term.load.reinit(n);
+      const Tensor<1, 3> load = point.weight * point.along_tangents(acting);
+      Tensor<2, 3>       k;
+      for (unsigned int s = 0; s < 2; ++s)
+        for (unsigned int t = 0; t < 2; ++t)
+          k += point.weight * term.of_slip[s][t] *
+               outer_product(point.tangents[s], point.tangents[t]);
+      for (unsigned int a = 0; a < point.n_nodes; ++a)
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            term.dofs.push_back(point.dofs(a)[i]);
+            term.load[3 * a + i] = point.C[a] * load[i];
+            for (unsigned int b = 0; b < point.n_nodes; ++b)
+              for (unsigned int j = 0; j < 3; ++j)
+                term.stiffness(3 * a + i, 3 * b + j) =
+                  point.C[a] * point.C[b] * k[i][j];
+          }
+      // Jacobi's method: that by QL decomposition does not end where a shear of
+      // next to nothing, 1e-84 of the other one, is in the tensor.
+      for (const auto &[value, direction] :
+           eigenvectors(symmetrize(term.of_slip),
+                        SymmetricTensorEigenvectorMethod::jacobi))
+        if (value > 0)
+          {
+            const Tensor<1, 3> along = point.along_tangents(direction);
+            Vector<double>     way(n);
+            for (unsigned int k = 0; k < n; ++k)
+              way[k] = point.C[k / 3] * along[k % 3];
+            term.springs.emplace_back(point.weight * value, way);
+          }
+    }
+  } // namespace
+
+
+
+  template<>
+  std::vector<SlipTurning<2>::Term>
+  SlipTurning<2>::terms(const ContactInterface<2> &,
+                        const GhostedVector &,
+                        const GhostedVector &,
+                        const bool,
+                        const bool)
+  {
+    return {};
+  }
+
+
+
+  template<>
+  std::vector<SlipTurning<3>::Term>
+  SlipTurning<3>::terms(const ContactInterface<3> &interface,
+                        const GhostedVector       &solution,
+                        const GhostedVector       &u_start,
+                        const bool                 moving_bound,
+                        const bool                 any_rank_may_add)
+  {
+    std::vector<Term>         all;
+    std::vector<Tensor<1, 2>> acting;
+    for (unsigned int k = 0; k < interface.points().size(); ++k)
+      {
+        const ContactPoint<3> &point = interface.points()[k];
+        if (point.status.kind == Status::open)
+          continue;
+        const ContactState<3> now = interface.state(point, solution, u_start);
+        const double          c   = point.augmentation_parameter;
+        const Tensor<1, 2>    whole_slip = way(point, now);
+        // The shear of the springs acts already.
+        if (point.status.kind == Status::stick && point.springs.norm() > 0)
+          {
+            all.push_back({k,
+                           {},
+                           c * point.springs,
+                           point.springs * (now.q_trial + c * whole_slip)});
+            acting.emplace_back();
+          }
+        const double size = now.q_trial.norm();
+        // Supports move it, or an edge leaves one direction: nothing turns.
+        if (!point.status.has_direction() || size == 0 ||
+            !point.held_slips.empty())
+          continue;
+        const double bound =
+          moving_bound ? interface.contact_pair(point).law.bound(now.p_trial)
+                       : point.friction_bound;
+        // Stiffer than a hundred facets multigrid would not converge. A sliver
+        // of a facet has less weight.
+        const double length  = interface.contact_pair(point).edge_length(point);
+        const double largest = 100 * length * length / point.weight;
+        const double beta    = std::min(bound / size, 1.);
+
+        const Tensor<1, 2> &d      = point.status.direction();
+        const Tensor<1, 2>  across = cross_product_2d(d);
+        const Tensor<1, 2>  rigid  = across - point.springs * across;
+        const double        left   = 1 - beta * (across * rigid);
+        const double share      = beta < largest * left ? beta / left : largest;
+        const Tensor<1, 2> turn = share * (rigid * d) * across;
+        const Tensor<1, 2> rest = -share * (rigid * now.lambda_t) * across;
+        const Tensor<2, 2> of_slip = c * share * outer_product(across, across);
+        all.push_back({k, turn, of_slip, rest + of_slip * whole_slip});
+        acting.push_back(bound * turn + rest);
+      }
+
+    const auto    &discretization = interface.discretization;
+    const IndexSet share =
+      Utilities::MPI::create_evenly_distributed_partitioning(
+        discretization.communicator,
+        all.size());
+    const IndexSet &owned = discretization.dof_handler.locally_owned_dofs();
+    for (unsigned int t = 0; t < all.size(); ++t)
+      {
+        const ContactPoint<3> &point = interface.points()[all[t].point];
+        if (any_rank_may_add ? share.is_element(t)
+                             : owned.is_element(point.dofs(0)[0]))
+          {
+            complete(point, acting[t], all[t]);
+            ++discretization.counters.slip_stiffnesses;
+          }
+      }
+    return all;
+  }
+
+
+
+  template<int dim>
+  std::vector<typename SlipTurning<dim>::Turned>
+  SlipTurning<dim>::turned_shears(const std::vector<Term>     &terms,
+                                  const ContactInterface<dim> &interface,
+                                  const GhostedVector         &solution,
+                                  const GhostedVector         &u_start)
+  {
+    std::vector<Turned> turned(interface.points().size());
+    for (const Term &term : terms)
+      {
+        const ContactPoint<dim> &point = interface.points()[term.point];
+        turned[term.point]             = {
+                      term.turn,
+                      term.shear_at_rest -
+                        term.of_slip *
+                          way(point, interface.state(point, solution, u_start))};
+      }
+    return turned;
+  }
+
+  template class SlipTurning<2>;
+  template class SlipTurning<3>;
+} // namespace Contact

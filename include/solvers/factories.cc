@@ -1,0 +1,92 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/condensed/assembled_system.h"
+#include "solvers/condensed_form.h"
+#include "solvers/multigrid/matrix_free_system.h"
+#include "solvers/newton/linear_system.h"
+#include "solvers/saddle_point/saddle_point_form.h"
+
+namespace Contact
+{
+  template<>
+  std::unique_ptr<LinearSystem<2>>
+  LinearSystem<2>::create(const ContactModel<2>      &model,
+                          const Parameters::All      &parameters,
+                          const ContactLinearization &linearization,
+                          ConditionalOStream         &screen,
+                          TimerOutput                &timer)
+  {
+    if (parameters.is_condensed(model.n_displacements()))
+      return std::make_unique<CondensedForm<2>>(model,
+                                                parameters,
+                                                linearization.moving_bound,
+                                                screen,
+                                                timer);
+    return std::make_unique<SaddlePointForm>(model,
+                                             parameters,
+                                             linearization,
+                                             screen,
+                                             timer);
+  }
+
+
+
+  template<>
+  std::unique_ptr<LinearSystem<3>>
+  LinearSystem<3>::create(const ContactModel<3>      &model,
+                          const Parameters::All      &parameters,
+                          const ContactLinearization &linearization,
+                          ConditionalOStream         &screen,
+                          TimerOutput                &timer)
+  {
+    return std::make_unique<CondensedForm<3>>(model,
+                                              parameters,
+                                              linearization.moving_bound,
+                                              screen,
+                                              timer);
+  }
+
+
+
+  template<int dim>
+  std::unique_ptr<CondensedSystem<dim>>
+  CondensedSystem<dim>::create(const Discretization<dim>   &discretization,
+                               const Elasticity<dim>       &elasticity,
+                               const ContactInterface<dim> *interface,
+                               ContactElimination<dim>     &elimination,
+                               const Parameters::SolverKind solver_kind,
+                               TimerOutput                 &timer)
+  {
+    if (solver_kind == Parameters::SolverKind::gmg)
+      return std::make_unique<MatrixFreeSystem<dim>>(discretization,
+                                                     elasticity,
+                                                     interface,
+                                                     elimination,
+                                                     timer);
+    return std::make_unique<AssembledSystem<dim>>(discretization,
+                                                  elasticity,
+                                                  interface,
+                                                  elimination,
+                                                  solver_kind,
+                                                  timer);
+  }
+
+  template std::unique_ptr<CondensedSystem<2>>
+  CondensedSystem<2>::create(const Discretization<2> &,
+                             const Elasticity<2> &,
+                             const ContactInterface<2> *,
+                             ContactElimination<2> &,
+                             const Parameters::SolverKind,
+                             TimerOutput &);
+
+  template std::unique_ptr<CondensedSystem<3>>
+  CondensedSystem<3>::create(const Discretization<3> &,
+                             const Elasticity<3> &,
+                             const ContactInterface<3> *,
+                             ContactElimination<3> &,
+                             const Parameters::SolverKind,
+                             TimerOutput &);
+} // namespace Contact

@@ -1,0 +1,85 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_body_operator_h
+#define contact_body_operator_h
+
+#include <deal.II/base/partitioner.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/mapping.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <map>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "solid/materials/kinematics.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The tangent of elastic bodies as an operator without a matrix: by sum
+   * factorization in each cell, from deal.II's MatrixFree. Hanging nodes and
+   * supports are eliminated. Bodies of St. Venant and Kirchhoff's material keep
+   * the gradients of the displacement in the quadrature points, where with F =
+   * 1
+   * + grad u and the stress S the tangent is
+   *   dP = F (lambda tr(dE) 1 + 2 mu dE) + grad(du) S,  dE = sym(F^T grad(du)).
+   */
+  template<int dim, typename Number>
+  class BodyOperator
+  {
+  public:
+    using Vector = LinearAlgebra::distributed::Vector<Number>;
+
+    /// Materials are those of the material ids. @p constraints are taken as
+    /// homogeneous; all references have to live on.
+    BodyOperator(const Mapping<dim>                           &mapping,
+                 const DoFHandler<dim>                        &dof_handler,
+                 const AffineConstraints<Number>              &constraints,
+                 const std::map<types::material_id, Material> &materials);
+
+    ~BodyOperator();
+
+    /// Linearise the bodies of large displacement, which are not @p
+    /// small_strain, in @p u, all of whose values are set.
+    void linearize(const Vector                       &u,
+                   const std::set<types::material_id> &small_strain);
+
+    /// dst = K src: zero in constrained unknowns.
+    void vmult(Vector &dst, const Vector &src) const;
+
+    /// dst = K u, of @p u all of whose values are set, those of hanging nodes
+    /// and supports, too: the internal forces of bodies in small strain. What
+    /// hanging nodes get is handed over.
+    void forces(Vector &dst, const Vector &u) const;
+
+    /// The diagonal of K; zero in constrained unknowns. What hanging nodes hand
+    /// over is without the couplings between them, which a smoother does not
+    /// need.
+    Vector diagonal() const;
+
+    void initialize(Vector &vector) const
+    {
+      vector.reinit(partitioner);
+    }
+
+    std::size_t memory() const;
+
+  private:
+    /// deal.II's MatrixFree of the widest vectors of numbers that the compiler
+    /// is allowed to use: known to the source file alone.
+    class Cells;
+
+    std::unique_ptr<Cells>                             cells;
+    std::shared_ptr<const Utilities::MPI::Partitioner> partitioner;
+  };
+} // namespace Contact
+
+#endif

@@ -1,0 +1,497 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/multigrid/matrix_free_system.h"
+
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_gmres.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "solvers/direct/negative_curvature.h"
+
+namespace Contact
+{
+  namespace
+  {
+    const std::string no_centre_nodes =
+      "elements without centre node (Element/Centre node)";
+  }
+
+
+
+  template<int dim>
+  MatrixFreeSystem<dim>::MatrixFreeSystem(
+    const Discretization<dim>   &discretization,
+    const Elasticity<dim>       &elasticity,
+    const ContactInterface<dim> *interface,
+    ContactElimination<dim>     &elimination,
+    TimerOutput                 &timer)
+    : CondensedSystem<dim>(discretization, elasticity, elimination, timer)
+    , interface(interface)
+  {
+  }
+
+
+
+  template<int dim>
+  std::string
+  MatrixFreeSystem<dim>::refusal(const Discretization<dim> &discretization,
+                                 const Elasticity<dim>     &elasticity)
+  {
+    if (!discretization.mesh.has_only_hypercubes())
+      return "triangles";
+    if (discretization.axisymmetric)
+      return "rings";
+    if (!elasticity.is_elastic())
+      return "a material that is not linear elastic or St. Venant-Kirchhoff's";
+    // A slave stiffer than by this: displacements have differed from those of
+    // CHOLMOD (1e5: by 8e-5), and pairings have come to rest elsewhere (1e6).
+    const double largest_ratio = 1e4;
+    double       softest       = std::numeric_limits<double>::max();
+    double       stiffest      = 0;
+    for (const auto &[name, body] : discretization.mesh.bodies)
+      {
+        if (elasticity.is_projected(body))
+          return "the projected dilatation of the body " + name;
+        softest  = std::min(softest, elasticity.youngs_modulus(body));
+        stiffest = std::max(stiffest, elasticity.youngs_modulus(body));
+      }
+    if (stiffest > largest_ratio * softest)
+      return "bodies more than 10000 times as stiff as others";
+    const auto is_on_any_rank = [&](const bool condition) {
+      return Utilities::MPI::max(static_cast<unsigned int>(condition),
+                                 discretization.communicator) > 0;
+    };
+    const bool has_special_cell =
+      std::any_of(elasticity.cells().begin(),
+                  elasticity.cells().end(),
+                  [](const auto &cell) { return cell.is_special; });
+    if (is_on_any_rank(has_special_cell))
+      return "incompatible modes";
+    if (!elasticity.is_linear() && elasticity.has_thermal_strain())
+      return "thermal strains in large displacement";
+    if (is_on_any_rank(!discretization.rigid_boundaries().empty()))
+      return "rigid boundaries";
+    if (is_on_any_rank(!discretization.tied().empty()))
+      return "unknowns that are tied together";
+    if (is_on_any_rank(!discretization.normal_supports.lines().empty()))
+      return "supports along normals";
+    if (discretization.serendipity)
+      return no_centre_nodes;
+    return "";
+  }
+
+
+
+  template<int dim>
+  bool MatrixFreeSystem<dim>::is_too_deep(const Mesh<dim> &mesh)
+  {
+    const auto &cells = mesh.triangulation;
+    return double(cells.n_cells(0)) *
+             std::pow(2., double(dim * cells.n_global_levels())) >
+           double(std::numeric_limits<types::global_dof_index>::max());
+  }
+
+
+
+  template<int dim>
+  bool
+  MatrixFreeSystem<dim>::is_worth_it(const Discretization<dim> &discretization,
+                                     const Elasticity<dim>     &elasticity)
+  {
+    const auto       &mesh  = discretization.mesh.triangulation;
+    const std::size_t n     = discretization.dof_handler.n_dofs();
+    const std::size_t least = elasticity.is_linear()
+                                ? (dim == 2 ? 20000 : 5000)
+                                : (dim == 2 ? 100000 : 10000);
+    // Of all ranks: each has to choose the same.
+    const double coarse_part =
+      double(mesh.n_cells(0)) / mesh.n_global_active_cells();
+    const bool is_solved_by_each_rank =
+      mesh.n_global_levels() == 1 &&
+      Utilities::MPI::n_mpi_processes(discretization.communicator) > 1;
+    return (n >= least || is_solved_by_each_rank) &&
+           !is_too_deep(discretization.mesh) && n * coarse_part < least;
+  }
+
+
+
+  template<int dim>
+  bool MatrixFreeSystem<dim>::is_best(const Discretization<dim> &discretization,
+                                      const Elasticity<dim>     &elasticity)
+  {
+    return is_worth_it(discretization, elasticity) &&
+           refusal(discretization, elasticity).empty();
+  }
+
+
+
+  template<int dim>
+  bool MatrixFreeSystem<dim>::lacks_centre_nodes(
+    const Discretization<dim> &discretization,
+    const Elasticity<dim>     &elasticity)
+  {
+    return discretization.mesh.triangulation.n_global_levels() > 1 &&
+           is_worth_it(discretization, elasticity) &&
+           refusal(discretization, elasticity) == no_centre_nodes;
+  }
+
+
+
+  // Without a matrix there is room for whatever points see.
+  template<int dim>
+  bool MatrixFreeSystem<dim>::serves_points() const
+  {
+    return true;
+  }
+
+
+
+  template<int dim>
+  void MatrixFreeSystem<dim>::make_room()
+  {
+  }
+
+
+
+  template<int dim>
+  bool MatrixFreeSystem<dim>::make_room_for_lines()
+  {
+    return false;
+  }
+
+
+
+  // Springs and thermal strains are beside the operator.
+  template<int dim>
+  bool MatrixFreeSystem<dim>::subtract_forces(const GhostedVector &u,
+                                              GhostedVector       &rhs) const
+  {
+    if (!bodies || !elasticity.is_linear() || elasticity.has_thermal_strain() ||
+        !elasticity.springs.held().empty())
+      return false;
+    std::copy_n(u.begin(), owned.n_elements(), work.begin());
+    Vector forces(work);
+    bodies->forces(forces, work);
+    for (unsigned int k = 0; k < owned.n_elements(); ++k)
+      rhs.begin()[k] -= forces.local_element(k);
+    return true;
+  }
+
+
+
+  // The operator has its own; these are for the forces of contact. In large
+  // displacement they are those of the first solution of a step.
+  template<int dim>
+  bool MatrixFreeSystem<dim>::needs_all_tangents() const
+  {
+    return !elasticity.is_linear();
+  }
+
+
+
+  template<int dim>
+  bool MatrixFreeSystem<dim>::any_rank_may_add() const
+  {
+    return true;
+  }
+
+
+
+  // The surfaces, with what hanging nodes hang on.
+  template<int dim>
+  typename MatrixFreeSystem<dim>::Dofs
+  MatrixFreeSystem<dim>::all_of_interface(Dofs &&of_cells) const
+  {
+    if (interface == nullptr)
+      return of_cells;
+    const auto add = [&](const Surface<dim> &surface) {
+      for (const SurfaceNode<dim> &node : surface.nodes)
+        for (const auto dof : node.dofs)
+          {
+            of_cells.push_back(dof);
+            if (const auto *entries =
+                  discretization.constraints.get_constraint_entries(dof))
+              for (const auto &entry : *entries)
+                of_cells.push_back(entry.first);
+          }
+    };
+    for (const auto &contact_pair : interface->pairs)
+      {
+        add(contact_pair->slave);
+        if (contact_pair->master)
+          add(*contact_pair->master);
+      }
+    return of_cells;
+  }
+
+
+
+  template<int dim>
+  void MatrixFreeSystem<dim>::reset()
+  {
+    if (bodies)
+      return;
+    std::map<types::material_id, Material> materials;
+    for (const auto &body : discretization.mesh.bodies)
+      materials.emplace(body.second, elasticity.material(body.second));
+    bodies =
+      std::make_unique<BodyOperator<dim, double>>(discretization.mapping[0],
+                                                  discretization.dof_handler,
+                                                  discretization.constraints,
+                                                  materials);
+    bodies->initialize(work);
+    multigrid = std::make_unique<ContactMultigrid<dim>>(discretization,
+                                                        elasticity,
+                                                        interface);
+  }
+
+
+
+  template<int dim>
+  void
+  MatrixFreeSystem<dim>::assemble_bulk(const GhostedVector  &solution,
+                                       const StressStiffness stress_stiffness)
+  {
+    AssertThrow(stress_stiffness == StressStiffness::with, ExcInternalError());
+    if (elasticity.is_linear())
+      return;
+    std::set<types::material_id> small_strain;
+    for (const auto &body : discretization.mesh.bodies)
+      if (elasticity.is_small_strain(body.second))
+        small_strain.insert(body.second);
+    std::copy_n(solution.begin(), owned.n_elements(), work.begin());
+    bodies->linearize(work, small_strain);
+    multigrid->linearize(work);
+  }
+
+
+
+  template<int dim>
+  void MatrixFreeSystem<dim>::add_interface(const bool)
+  {
+    has_terms = this->on_any_rank(!elimination.turning_terms().empty() ||
+                                  !elimination.pairing_terms().empty());
+    if (has_terms)
+      {
+        const Dofs dofs = dofs_of_terms();
+        IndexSet   used(owned.size());
+        used.add_indices(dofs.begin(), dofs.end());
+        surface.initialize(used, owned, discretization.communicator);
+        surface_forces.initialize(used, owned, discretization.communicator);
+      }
+    const auto lines_of = [&](const AffineConstraints<double> &constraints) {
+      return SurfaceLines<double>(SurfaceRows(elimination.eliminated_dofs(),
+                                              constraints,
+                                              owned),
+                                  owned,
+                                  discretization.communicator);
+    };
+    lines      = lines_of(elimination.constraints());
+    test_lines = elimination.is_symmetric()
+                   ? lines
+                   : lines_of(elimination.test_constraints());
+  }
+
+
+
+  template<int dim>
+  void MatrixFreeSystem<dim>::prepare()
+  {
+    multigrid->set_lines(elimination.eliminated_dofs(),
+                         elimination.constraints(),
+                         elimination.test_constraints(),
+                         springs());
+    indefinite.reset();
+  }
+
+
+
+  // The turning of shears. Unknowns that hang on others or are supported have
+  // no values of their own.
+  template<int dim>
+  std::vector<SurfaceSpring> MatrixFreeSystem<dim>::springs() const
+  {
+    std::vector<SurfaceSpring> all;
+    std::map<Dof, double>      sum;
+    for (const auto &term : elimination.turning_terms())
+      if (term.is_own())
+        for (const auto &[stiffness, way] : term.springs)
+          {
+            sum.clear();
+            for (unsigned int k = 0; k < way.size(); ++k)
+              if (const auto *entries =
+                    discretization.constraints.get_constraint_entries(
+                      term.dofs[k]))
+                for (const auto &[dof, factor] : *entries)
+                  sum[dof] += factor * way[k];
+              else if (way[k] != 0)
+                sum[term.dofs[k]] += way[k];
+            all.push_back({stiffness, {sum.begin(), sum.end()}});
+          }
+    return all;
+  }
+
+
+
+  template<int dim>
+  bool MatrixFreeSystem<dim>::knows_definiteness() const
+  {
+    return elimination.is_symmetric();
+  }
+
+
+
+  // In the unknowns that are solved for.
+  template<int dim>
+  bool MatrixFreeSystem<dim>::is_indefinite(const bool may_cost)
+  {
+    if (!knows_definiteness() || (!indefinite && !may_cost))
+      return false;
+    if (!indefinite)
+      {
+        TimerOutput::Scope scope(timer, "stability");
+        Vector             r(work);
+        fill_at_random(r.begin(),
+                       r.begin() + owned.n_elements(),
+                       Utilities::MPI::this_mpi_process(
+                         discretization.communicator));
+        const auto &base  = discretization.constraints;
+        const auto &lines = elimination.test_constraints();
+        for (const auto i : owned)
+          if (base.is_constrained(i) || lines.is_constrained(i))
+            r(i) = 0;
+        Vector diagonal = bodies->diagonal();
+        for (auto &value : diagonal)
+          value = std::abs(value);
+        indefinite = has_negative_curvature(*this, *multigrid, diagonal, r);
+      }
+    return *indefinite;
+  }
+
+
+
+  template<int dim>
+  void MatrixFreeSystem<dim>::vmult(Vector &dst, const Vector &src) const
+  {
+    work = src;
+    lines.expand(work);
+    bodies->vmult(dst, work);
+    add_terms(dst);
+    test_lines.condense(dst);
+  }
+
+
+
+  // Those of the terms of this rank, or what they hang on.
+  template<int dim>
+  typename MatrixFreeSystem<dim>::Dofs
+  MatrixFreeSystem<dim>::dofs_of_terms() const
+  {
+    Dofs       dofs;
+    const auto add = [&](const Dofs &of_term) {
+      for (const auto dof : of_term)
+        if (const auto *entries =
+              discretization.constraints.get_constraint_entries(dof))
+          for (const auto &entry : *entries)
+            dofs.push_back(entry.first);
+        else
+          dofs.push_back(dof);
+    };
+    for (const auto &term : elimination.turning_terms())
+      add(term.dofs);
+    for (const auto &term : elimination.pairing_terms())
+      {
+        add(term.rows);
+        add(term.columns);
+      }
+    sort_unique(dofs);
+    return dofs;
+  }
+
+
+
+  // What the turning of shears and of the pairing adds. Unknowns that hang on
+  // others or are supported have no values of their own.
+  template<int dim>
+  void MatrixFreeSystem<dim>::add_terms(Vector &dst) const
+  {
+    if (!has_terms)
+      return;
+    const auto            &base = discretization.constraints;
+    dealii::Vector<double> u, force;
+    const auto             multiply =
+      [&](const auto &stiffness, const Dofs &rows, const Dofs &columns) {
+        u.reinit(columns.size());
+        force.reinit(rows.size());
+        for (unsigned int j = 0; j < columns.size(); ++j)
+          if (const auto *entries = base.get_constraint_entries(columns[j]))
+            for (const auto &[dof, factor] : *entries)
+              u[j] += factor * surface(work, dof);
+          else
+            u[j] = surface(work, columns[j]);
+        stiffness.vmult(force, u);
+        for (unsigned int i = 0; i < rows.size(); ++i)
+          if (const auto *entries = base.get_constraint_entries(rows[i]))
+            for (const auto &[dof, factor] : *entries)
+              surface_forces.add(dst, dof, factor * force[i]);
+          else
+            surface_forces.add(dst, rows[i], force[i]);
+      };
+    surface.read(work);
+    surface_forces.clear();
+    for (const auto &term : elimination.turning_terms())
+      if (term.is_own())
+        multiply(term.stiffness, term.dofs, term.dofs);
+    for (const auto &term : elimination.pairing_terms())
+      multiply(term, term.rows, term.columns);
+    surface_forces.add_to(dst);
+  }
+
+
+
+  template<int dim>
+  unsigned int MatrixFreeSystem<dim>::solve_reduced(const GhostedVector &rhs,
+                                                    const double   tolerance,
+                                                    GhostedVector &x)
+  {
+    ++discretization.counters.linear_solves;
+    Vector             b(work), of_rank(work);
+    const unsigned int n = owned.n_elements();
+    std::copy_n(rhs.begin(), n, b.begin());
+    of_rank = 0;
+    SolverControl control(max_iterations, tolerance);
+    try
+      {
+        if (elimination.is_symmetric())
+          SolverCG<Vector>(control).solve(*this, of_rank, b, *multigrid);
+        else
+          SolverGMRES<Vector>(control,
+                              typename SolverGMRES<Vector>::AdditionalData(
+                                /*max_n_tmp_vectors=*/52,
+                                /*right_preconditioning=*/true))
+            .solve(*this, of_rank, b, *multigrid);
+      }
+    catch (const SolverControl::NoConvergence &)
+      {
+        std::ostringstream residual;
+        residual << control.last_value();
+        throw MultigridStalls("geometric multigrid stalls at the residual " +
+                              residual.str() + " N/mm (rings: N) after " +
+                              std::to_string(max_iterations) + " iterations");
+      }
+    // deal.II keeps the vectors of a solver for the next one.
+    GrowingVectorMemory<Vector>::release_unused_memory();
+    std::copy_n(of_rank.begin(), n, x.begin());
+    return control.last_step();
+  }
+
+  template class MatrixFreeSystem<2>;
+  template class MatrixFreeSystem<3>;
+} // namespace Contact

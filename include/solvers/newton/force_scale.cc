@@ -1,0 +1,208 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/newton/force_scale.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Contact
+{
+  template<int dim>
+  ForceScale<dim>::ForceScale(const Discretization<dim>   &discretization,
+                              const Elasticity<dim>       &elasticity,
+                              const ContactInterface<dim> *interface)
+    : discretization(discretization)
+    , elasticity(elasticity)
+    , interface(interface)
+  {
+    softest = std::numeric_limits<double>::max();
+    for (const auto &[name, body] : discretization.mesh.bodies)
+      {
+        softest = std::min(softest, elasticity.youngs_modulus(body));
+        const Material &material = elasticity.material(body);
+        modulus = std::max(modulus, material.lambda + 2 * material.mu);
+      }
+
+    // Size and coordinates of the coarse mesh, which every rank has.
+    Point<dim> low, high;
+    double     smallest = std::numeric_limits<double>::max(), circumference = 0;
+    bool       is_first = true;
+    for (const auto &cell :
+         discretization.mesh.triangulation.cell_iterators_on_level(0))
+      for (const unsigned int v : cell->vertex_indices())
+        for (unsigned int i = 0; i < dim; ++i)
+          {
+            const Point<dim> X = cell->vertex(v);
+            low[i]             = is_first ? X[i] : std::min(low[i], X[i]);
+            high[i]            = is_first ? X[i] : std::max(high[i], X[i]);
+            coordinate         = std::max(coordinate, std::abs(X[i]));
+            circumference =
+              std::max(circumference, discretization.circumference(X));
+            is_first = is_first && i == 0;
+          }
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        smallest = std::min(smallest, cell->minimum_vertex_distance());
+    smallest = Utilities::MPI::min(smallest, discretization.communicator);
+    middle   = low + 0.5 * (high - low);
+    size     = low.distance(high);
+    slender  = std::max(1., size / smallest);
+    modulus *= dim == 2 ? circumference : size;
+    softest *= dim == 2 ? circumference : size;
+
+    if (interface != nullptr)
+      {
+        const GhostedVector undeformed(discretization.distribution);
+        for (const ContactPoint<dim> &point : interface->points())
+          if (point.facing && !interface->contact_pair(point).tied)
+            overlap =
+              std::max(overlap,
+                       -interface->state(point, undeformed, undeformed).gap);
+      }
+  }
+
+
+
+  template<int dim>
+  double ForceScale<dim>::in(const GhostedVector &solution,
+                             const GhostedVector &u_start,
+                             const double         load_factor,
+                             const double         newton_tolerance,
+                             const bool           moving_bound) const
+  {
+    const double way  = discretization.largest_prescribed();
+    const double most = modulus * (way + way_of_contact() + overlap) * slender;
+    double       acting = interface != nullptr
+                            ? contact_forces(solution, u_start, moving_bound)
+                            : 0.;
+    if (way > 0)
+      acting = std::max(acting, reactions(solution, load_factor));
+
+    const double dead = dead_forces(load_factor);
+    const double round_off =
+      std::numeric_limits<double>::epsilon() * modulus * (coordinate + way) *
+      std::sqrt(static_cast<double>(discretization.dof_handler.n_dofs()));
+    return Utilities::MPI::max(std::max({dead,
+                                         std::min(acting, dead + most),
+                                         so_far,
+                                         round_off / newton_tolerance}),
+                               discretization.communicator);
+  }
+
+
+
+  template<int dim>
+  double ForceScale<dim>::dead_forces(const double load_factor) const
+  {
+    double dead = elasticity.dead_loads.magnitude(load_factor) +
+                  elasticity.thermal_forces();
+    if (interface != nullptr)
+      for (const FreeMotion *motion : interface->free_motions())
+        if (!motion->stays)
+          dead += std::abs(motion->force) / motion->lever;
+    return dead;
+  }
+
+
+
+  template<int dim>
+  double ForceScale<dim>::given(const double load_factor) const
+  {
+    const double way = discretization.largest_prescribed() + way_of_contact();
+    return Utilities::MPI::max(way > 0
+                                 ? dead_forces(load_factor) + softest * way
+                                 : 0.,
+                               discretization.communicator);
+  }
+
+
+
+  template<int dim>
+  double ForceScale<dim>::way_of_contact() const
+  {
+    double way = 0;
+    if (interface != nullptr)
+      for (const auto &contact_pair : interface->pairs)
+        {
+          way = std::max(way, std::abs(contact_pair->interference->now));
+          if (const auto *obstacle = contact_pair->obstacle.get())
+            way = std::max(way,
+                           obstacle->given_way(
+                             obstacle->centre().distance(middle) + size / 2));
+        }
+    return way;
+  }
+
+
+
+  template<int dim>
+  double ForceScale<dim>::contact_forces(const GhostedVector &solution,
+                                         const GhostedVector &u_start,
+                                         const bool moving_bound) const
+  {
+    double sum = 0;
+    for (const ContactPoint<dim> &point : interface->points())
+      if (point.status.kind != Status::open)
+        {
+          const ContactState<dim> now =
+            interface->state(point, solution, u_start);
+          const Traction<dim> t = interface->traction(point,
+                                                      point.status,
+                                                      now.p_trial,
+                                                      now.q_trial,
+                                                      moving_bound);
+          sum += point.weight * std::hypot(t.p, t.q.norm());
+        }
+    return sum;
+  }
+
+
+
+  template<int dim>
+  double ForceScale<dim>::reactions(const GhostedVector &solution,
+                                    const double         load_factor) const
+  {
+    const GhostedVector forces =
+      elasticity.forces(solution, load_factor, cells_at_supports());
+    double sum = 0;
+    for (const auto dof : discretization.dof_handler.locally_owned_dofs())
+      if (is_supported(dof))
+        sum += std::abs(forces[dof]);
+    return Utilities::MPI::sum(sum, discretization.communicator);
+  }
+
+
+
+  template<int dim>
+  bool ForceScale<dim>::is_supported(const types::global_dof_index dof) const
+  {
+    return discretization.is_fixed(dof) || discretization.is_rigid(dof) ||
+           discretization.normal_supports.line(dof) != nullptr;
+  }
+
+
+
+  // A cell may be at a support of another rank, whose owner tells.
+  template<int dim>
+  const std::vector<unsigned int> &ForceScale<dim>::cells_at_supports() const
+  {
+    if (!supported_cells)
+      {
+        GhostedVector supported(discretization.distribution);
+        for (const auto dof : discretization.dof_handler.locally_owned_dofs())
+          supported[dof] = is_supported(dof);
+        supported.update_ghosts();
+        supported_cells = elasticity.cells_at(supported);
+      }
+    return *supported_cells;
+  }
+
+  template class ForceScale<2>;
+  template class ForceScale<3>;
+} // namespace Contact

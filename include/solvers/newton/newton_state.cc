@@ -1,0 +1,595 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "solvers/newton/newton_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+#include "base/errors.h"
+#include "base/string_utilities.h"
+#include "contact/interface/contact_kernel.h"
+#include "contact/results/contact_results.h"
+#include "solvers/newton/nearby_state.h"
+
+namespace Contact
+{
+  template<int dim>
+  NewtonState<dim>::NewtonState(
+    const ContactModel<dim>                  &model,
+    const std::unique_ptr<LinearSystem<dim>> &system,
+    IncrementState<dim>                      &state,
+    Pairing<dim>                             &pairing,
+    TimerOutput                              &timer)
+    : convergence(model)
+    , model(model)
+    , system(system)
+    , state(state)
+    , pairing(pairing)
+    , timer(timer)
+  {
+  }
+
+
+
+  template<int dim>
+  void NewtonState<dim>::begin_level(const double tolerance)
+  {
+    rhs = model.zero();
+    convergence.begin_level(tolerance);
+  }
+
+
+
+  template<int dim>
+  void NewtonState<dim>::begin()
+  {
+    guard         = NewtonGlobalization();
+    n_steps       = 0;
+    part          = 0;
+    one_at_a_time = false;
+    searches      = searches_in_step();
+    last_residual = std::numeric_limits<double>::max();
+    pairing.begin_newton();
+    system->begin_newton();
+    remember_status();
+  }
+
+
+
+  template<int dim>
+  bool NewtonState<dim>::has_tangent_of_state() const
+  {
+    return n_steps == 0 || !model.may_be_unstable() ||
+           is_nearby(*model.discretization, state.solution, last, state.start);
+  }
+
+
+
+  // Not where the load turns round, or something else begins to move.
+  template<int dim>
+  bool NewtonState<dim>::continue_last_increment()
+  {
+    if (state.continued.size() == 0)
+      return false;
+    const GhostedVector start = state.solution;
+    model.discretization->prescribe(state.solution, state.load_factor);
+    const double of_start = residual_norm();
+    state.solution        = state.continued;
+    model.discretization->prescribe(state.solution, state.load_factor);
+    if (residual_norm() < of_start)
+      return true;
+    state.solution = start;
+    model.discretization->constrain_update(state.solution, state.load_factor);
+    return false;
+  }
+
+
+
+  // Under the statuses of now.
+  template<int dim>
+  double NewtonState<dim>::residual_norm()
+  {
+    TimerOutput::Scope scope(timer, "residual");
+    evaluate_bodies();
+    add_contact();
+    convergence.evaluate(rhs, state, pairing.linearization().moving_bound);
+    return convergence.residual_norm();
+  }
+
+
+
+  template<int dim>
+  void NewtonState<dim>::remember_status()
+  {
+    if (model.interface)
+      last_statuses = model.interface->statuses();
+  }
+
+
+
+  template<int dim>
+  void NewtonState<dim>::evaluate()
+  {
+    evaluate_with(one_at_a_time);
+  }
+
+
+
+  template<int dim>
+  void NewtonState<dim>::evaluate_with(const bool single_changes)
+  {
+    const MPI_Comm communicator = model.discretization->communicator;
+    pairing.follow(state.solution, /*after_a_step=*/n_steps > 0);
+    {
+      TimerOutput::Scope scope(timer, "residual");
+      smallest_volume = smallest_of_all_ranks(evaluate_bodies(), communicator);
+    }
+    n_status_changes = model.interface ? update_status(single_changes) : 0;
+
+    TimerOutput::Scope scope(timer, "residual");
+    const bool         moving_bound = pairing.linearization().moving_bound;
+    std::optional<GhostedVector> of_bodies;
+    if (n_steps == 0 && n_status_changes > 0 && moving_bound &&
+        !state.start.all_zero())
+      of_bodies = rhs;
+    add_contact();
+    convergence.evaluate(rhs, state, moving_bound);
+    if (of_bodies && convergence.has_converged())
+      try_to_rest(*of_bodies);
+    if (model.interface && has_converged() && closes_in_full_pairing())
+      evaluate_with(single_changes);
+  }
+
+
+
+  template<int dim>
+  bool NewtonState<dim>::closes_in_full_pairing()
+  {
+    if (!pairing.complete())
+      return false;
+    const ContactInterface<dim> &interface = *model.interface;
+    const bool moving_bound = pairing.linearization().moving_bound;
+    return std::any_of(interface.points().begin(),
+                       interface.points().end(),
+                       [&](const ContactPoint<dim> &point) {
+                         return point.status.kind == Status::open &&
+                                interface
+                                    .status_in(point,
+                                               state.solution,
+                                               state.start,
+                                               moving_bound)
+                                    .kind != Status::open;
+                       });
+  }
+
+
+
+  // Where nothing moves in an increment, points that slipped in the last one
+  // are at their bound but for round-off: sticking or slipping, the state
+  // stays. Steps would go on changing their statuses.
+  template<int dim>
+  void NewtonState<dim>::try_to_rest(const GhostedVector &of_bodies)
+  {
+    ContactInterface<dim> &interface    = *model.interface;
+    const bool             moving_bound = pairing.linearization().moving_bound;
+    const auto             statuses     = interface.statuses();
+    const auto             update       = [&](const bool keep) {
+      return interface.update_statuses(state.solution,
+                                       state.start,
+                                       moving_bound,
+                                       keep);
+    };
+    const GhostedVector before = rhs;
+    update(/*keep=*/true);
+    rhs = of_bodies;
+    add_contact();
+    convergence.evaluate(rhs, state, moving_bound);
+    if (convergence.has_converged() && update(/*keep=*/false) == 0)
+      {
+        n_status_changes = 0;
+        return;
+      }
+    interface.set_statuses(statuses);
+    rhs = before;
+    convergence.evaluate(rhs, state, moving_bound);
+  }
+
+
+
+  // Every rank adds the forces that its cells exert.
+  template<int dim>
+  VolumeRatio<dim> NewtonState<dim>::evaluate_bodies()
+  {
+    rhs = 0;
+    model.elasticity->add_loads(state.solution, state.load_factor, rhs);
+    VolumeRatio<dim> smallest;
+    if (!system->subtract_forces(state.solution, rhs))
+      smallest = model.elasticity->subtract_forces(state.solution, rhs);
+    rhs.sum_up();
+    return smallest;
+  }
+
+
+
+  // To what all ranks have.
+  template<int dim>
+  void NewtonState<dim>::add_contact()
+  {
+    if (!model.interface)
+      return;
+    rhs.keep_owned();
+    ContactKernel<dim>(*model.interface)
+      .assemble(state.solution,
+                state.start,
+                pairing.linearization(),
+                rhs,
+                nullptr);
+    rhs.sum_up();
+  }
+
+
+
+  // After a step the statuses are updated. Before the first one the changes are
+  // counted only: a change of load, pairing or bounds is not in the tractions
+  // yet, and the search of the active set comes first. Returns their number.
+  template<int dim>
+  unsigned int NewtonState<dim>::update_status(const bool single_changes)
+  {
+    ContactInterface<dim> &interface    = *model.interface;
+    const bool             moving_bound = pairing.linearization().moving_bound;
+    const bool             after_a_step = n_steps > 0;
+    if (after_a_step)
+      system->recover_multipliers(rhs, part, state);
+    const unsigned int n =
+      interface.update_statuses(state.solution,
+                                state.start,
+                                moving_bound,
+                                /*keep=*/after_a_step && !single_changes);
+    if (after_a_step && n > 0)
+      ++model.discretization->counters.active_set_changes;
+    // As the search does. Without the search statuses change from step to step,
+    // and a reset would begin each turn of the friction loop anew.
+    if (system->has_multipliers() && after_a_step && !moving_bound)
+      interface.reset_bounds_of_open_points();
+    if (after_a_step && single_changes)
+      interface.update_first_status(state.solution, state.start, moving_bound);
+    return n;
+  }
+
+
+
+  // In space slip turns with an obstacle although no force, and no status,
+  // changes: a step finds its direction.
+  template<int dim>
+  bool NewtonState<dim>::has_converged() const
+  {
+    if (dim == 3 && n_steps == 0 && model.interface &&
+        model.interface->obstacles_move())
+      return false;
+    const bool has_statuses =
+      n_status_changes == 0 ||
+      (n_steps > 0 && !one_at_a_time && points_follow_the_law());
+    return has_statuses && !model.discretization->update_is_prescribed() &&
+           convergence.has_converged();
+  }
+
+
+
+  // One whose slip turns round sticks first, though its shear be too large.
+  template<int dim>
+  bool NewtonState<dim>::points_follow_the_law() const
+  {
+    const ContactInterface<dim> &interface = *model.interface;
+    const bool moving_bound = pairing.linearization().moving_bound;
+    return std::all_of(interface.points().begin(),
+                       interface.points().end(),
+                       [&](const ContactPoint<dim> &point) {
+                         const ContactState<dim> now =
+                           interface.state(point, state.solution, state.start);
+                         return interface.updated_status(point,
+                                                         PointStatus<dim>(),
+                                                         now.p_trial,
+                                                         now.q_trial,
+                                                         moving_bound) ==
+                                point.status;
+                       });
+  }
+
+
+
+  template<int dim>
+  std::vector<double> NewtonState<dim>::search_along_line()
+  {
+    if (n_steps == 0)
+      return {};
+    const auto is_a_state = [&]() {
+      return std::isfinite(convergence.residual()) &&
+             !smallest_volume.is_inside_out();
+    };
+
+    std::vector<double> residuals;
+    const unsigned int  max_halvings = 6;
+    while (residuals.size() < max_halvings &&
+           (!is_a_state() || (n_status_changes == 0 &&
+                              !guard.accepts(convergence.residual_norm()))))
+      {
+        state.solution.sadd(0.5, 0.5, last);
+        part *= 0.5;
+        // Supports that were moved are half-way, too: the rest is left to do.
+        model.discretization->constrain_update(state.solution,
+                                               state.load_factor);
+        if (model.interface)
+          model.interface->set_statuses(last_statuses);
+        evaluate_with(/*single_changes=*/false);
+        residuals.push_back(convergence.residual());
+      }
+    return residuals;
+  }
+
+
+
+  template<int dim>
+  void NewtonState<dim>::accept()
+  {
+    if (n_steps > 0 || !std::isfinite(convergence.residual()))
+      check();
+    const bool progress = guard.advance(convergence.residual_norm());
+    if (n_steps > 0)
+      pairing.advance(state, last, progress);
+  }
+
+
+
+  template<int dim>
+  void NewtonState<dim>::check() const
+  {
+    if (!std::isfinite(convergence.residual()))
+      throw NotConverged("the residual is not a number");
+    if (guard.is_lost(convergence.residual_norm(),
+                      convergence.tolerance() * convergence.force_scale()))
+      throw NotConverged("Newton's method runs away: the residual is " +
+                         brief(convergence.residual()) +
+                         ", and its round-off above the tolerance " +
+                         brief(convergence.tolerance()) + changes());
+    if (!smallest_volume.is_inside_out())
+      return;
+    std::ostringstream message;
+    message << "the body '" << model.mesh->body_name(smallest_volume.body)
+            << "' is empty or turns inside out at X = (" << smallest_volume.X
+            << ") mm: det F = " << smallest_volume.value;
+    throw NotConverged(message.str());
+  }
+
+
+
+  template<int dim>
+  bool NewtonState<dim>::pair_anew()
+  {
+    const bool has_own_steps = pairing.renew(state.solution);
+    guard.forget();
+    remember_status();
+    ++n_steps;
+    part = 0;
+    return has_own_steps;
+  }
+
+
+
+  template<int dim>
+  bool NewtonState<dim>::begins_single_changes()
+  {
+    const bool before = one_at_a_time;
+    one_at_a_time     = guard.one_at_a_time(n_status_changes);
+    searches          = searches && !one_at_a_time;
+    return one_at_a_time && !before;
+  }
+
+
+
+  template<int dim>
+  unsigned int NewtonState<dim>::make_step()
+  {
+    last = state.solution;
+    if (model.discretization->update_is_prescribed())
+      guard.forget();
+    const typename LinearSystem<dim>::Step step{n_steps,
+                                                convergence.residual(),
+                                                last_residual,
+                                                convergence.tolerance(),
+                                                convergence.force_scale(),
+                                                /*continues=*/false};
+    unsigned int n = system->make_step(step, rhs, state);
+    n += search_statuses(step);
+    if (!expected_way)
+      expected_way = state.largest_change(model, last);
+    model.elasticity->end_first_step();
+    last_residual = step.residual;
+    part          = part_until_touch();
+    if (part < 1)
+      {
+        state.solution.sadd(part, 1 - part, last);
+        model.discretization->constrain_update(state.solution,
+                                               state.load_factor);
+      }
+    remember_status();
+    ++n_steps;
+    return n;
+  }
+
+
+
+  template<int dim>
+  bool NewtonState<dim>::friction_acts() const
+  {
+    return model.has_friction() && model.interface->count().active > 0;
+  }
+
+
+
+  template<int dim>
+  void NewtonState<dim>::begin_increment(const bool starts_elsewhere)
+  {
+    expected_way.reset();
+    if (!model.may_be_unstable() || starts_elsewhere || friction_acts() ||
+        !model.discretization->support_motion(state.start, state.load_factor)
+           .all_zero())
+      expected_way = 0;
+  }
+
+
+
+  template<int dim>
+  double NewtonState<dim>::leap() const
+  {
+    if (expected_way.value_or(0) == 0 || friction_acts())
+      return 0;
+    return state.largest_change(model, state.start) / *expected_way;
+  }
+
+
+
+  // Under some statuses nothing holds a body that contact alone holds: the
+  // matrix is singular, and its solution beyond all digits of the step's. Where
+  // that is so, and where statuses do not settle, they change from step to step
+  // from then on. What adds little to the residual is left to the next step,
+  // which another pairing gives other statuses anyway.
+  template<int dim>
+  unsigned int
+  NewtonState<dim>::search_statuses(typename LinearSystem<dim>::Step step)
+  {
+    if (!searches)
+      return 0;
+    unsigned int        n         = 0;
+    const unsigned int  max_turns = 10;
+    const double        little    = 0.01; // of the residual
+    const GhostedVector first     = state.solution;
+    const auto          statuses  = model.interface->statuses();
+    const double        largest =
+      first.linfty_norm() / std::numeric_limits<double>::epsilon();
+    step.continues = true;
+    for (unsigned int turn = 0; searches; ++turn)
+      {
+        if (!adapt_statuses(little * step.residual))
+          break;
+        n += system->make_step(step, rhs, state);
+        const bool is_solution = state.solution.linfty_norm() <= largest;
+        searches               = turn + 1 < max_turns && is_solution;
+        if (!is_solution)
+          {
+            state.solution = first;
+            model.interface->set_statuses(statuses);
+          }
+      }
+    return n;
+  }
+
+
+
+  // Bodies that springs hold go further in the linear problem than they may.
+  template<int dim>
+  bool NewtonState<dim>::searches_in_step() const
+  {
+    return dim == 3 && model.interface && !model.interface->is_tied() &&
+           model.elasticity->springs.held().empty();
+  }
+
+
+
+  // The forces of the bodies have become those of contact under the old
+  // statuses, which stay where nothing is to be solved again.
+  template<int dim>
+  bool NewtonState<dim>::adapt_statuses(const double tolerance)
+  {
+    system->recover_multipliers(rhs, 1, state);
+    const auto update_statuses = [&](const bool keep) {
+      return model.interface->update_statuses(
+        state.solution,
+        state.start,
+        pairing.linearization().moving_bound,
+        keep);
+    };
+    if (update_statuses(/*keep=*/false) == 0)
+      return false;
+    const auto statuses = model.interface->statuses();
+    rhs                 = 0;
+    add_contact();
+    rhs.sadd(-1, 0, rhs);
+    update_statuses(/*keep=*/true);
+    add_contact();
+    if (convergence.norm_of(rhs) <= tolerance * convergence.force_scale())
+      {
+        model.interface->set_statuses(statuses);
+        return false;
+      }
+    ++model.discretization->counters.active_set_changes;
+    return true;
+  }
+
+
+
+  // Nothing in the linear problem stops a body that springs hold alone. The
+  // step ends behind the first touch of a point, and before a large turn.
+  template<int dim>
+  double NewtonState<dim>::part_until_touch() const
+  {
+    const auto &springs = model.elasticity->springs;
+    if (dim == 2 || springs.held().empty() || !model.interface)
+      return 1;
+    const ContactInterface<dim> &interface = *model.interface;
+    double                       part      = 1;
+    for (const ContactPoint<dim> &point : interface.points())
+      if (point.facing && point.status.kind == Status::open)
+        {
+          const double depth =
+            0.01 * interface.contact_pair(point).edge_length(point);
+          const double before = interface.state(point, last, last).gap;
+          const double gap = interface.state(point, state.solution, last).gap;
+          if (before > -0.5 * depth && gap < -depth)
+            part = std::min(part, (before + depth) / (before - gap));
+        }
+
+    GhostedVector update = state.solution;
+    update -= last;
+    const double largest  = 0.05; // [rad]
+    const double rotation = springs.largest_rotation(update);
+    return model.elasticity->is_linear()
+             ? part
+             : std::min(part, largest / std::max(rotation, largest));
+  }
+
+
+
+  template<int dim>
+  std::string NewtonState<dim>::unsettled() const
+  {
+    if (!convergence.has_converged() ||
+        model.discretization->update_is_prescribed())
+      return pairing.jumps() ? "; the pairing: " + pairing.unsettled(state)
+                             : "";
+    const std::string balanced = ", which is small enough; not settled is ";
+    if (!has_converged())
+      return balanced + "the status of the points of contact";
+    return balanced + "the pairing: " + pairing.unsettled(state);
+  }
+
+
+
+  template<int dim>
+  std::string NewtonState<dim>::changes() const
+  {
+    return model.interface ? describe_changes(*model.interface,
+                                              last_statuses,
+                                              state.solution,
+                                              state.start)
+                           : "";
+  }
+
+  template class NewtonState<2>;
+  template class NewtonState<3>;
+} // namespace Contact

@@ -1,0 +1,162 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_newton_state_h
+#define contact_newton_state_h
+
+#include "solvers/newton/convergence_test.h"
+#include "solvers/newton/linear_system.h"
+#include "solvers/newton/newton_globalization.h"
+#include "solvers/newton/pairing.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The state of Newton's method: the residual where it is, the status of the
+   * points there, and where the last step came from. The line search and the
+   * search for the active set are those of NewtonGlobalization.
+   */
+  template<int dim>
+  class NewtonState
+  {
+  public:
+    NewtonState(const ContactModel<dim>                  &model,
+                const std::unique_ptr<LinearSystem<dim>> &system,
+                IncrementState<dim>                      &state,
+                Pairing<dim>                             &pairing,
+                TimerOutput                              &timer);
+
+    /// On a new mesh, with points that are paired in the undeformed state.
+    void begin_level(const double tolerance);
+
+    /// No step has been made yet.
+    void begin();
+
+    /// Start the increment where it would end if it went on as the last one
+    /// did, if that leaves a smaller residual than its start under the new load
+    /// does, supports moved at once in both. Returns whether it is so.
+    /// Collective.
+    bool continue_last_increment();
+
+    /// Pair the points and evaluate the residual and the status of the points.
+    /// Collective.
+    void evaluate();
+
+    /**
+     * A step that turns a cell inside out, or leads to a residual that
+     * NewtonGlobalization does not accept though no point has changed its
+     * status, was too long: half of it, and half of that. Returns the residuals
+     * of these attempts. Collective.
+     */
+    std::vector<double> search_along_line();
+
+    /// The state is where the next step begins. Throws NotConverged if it is
+    /// no state of the bodies.
+    void accept();
+
+    /// Whether the residual is small enough and no point changes its status, or
+    /// would if it had none before: where pressure and gap vanish one may for
+    /// ever.
+    bool has_converged() const;
+
+    /// The points are paired anew: another problem. Returns whether that has
+    /// steps of its own, see Pairing::renew().
+    bool pair_anew();
+
+    /// Choose whether one point at a time is to change its status. Returns
+    /// whether it is from now on.
+    bool begins_single_changes();
+
+    /// Whether the tangent of the last step, in bodies where stresses turn, is
+    /// that of the state: it was no longer than a hundredth of the way of the
+    /// increment, or none was made. Collective.
+    bool has_tangent_of_state() const;
+
+    /// Make the next step. Returns the number of linear iterations.
+    unsigned int make_step();
+
+    /// The way of the bodies in a load increment by the one that its first step
+    /// leads to expect, from the tangent of its start. Known of increments
+    /// of bodies in large displacement that move no supports, start where the
+    /// last one ended, and where no friction acts, which lets go only in the
+    /// second step; 0 in others. Collective.
+    void   begin_increment(const bool starts_elsewhere);
+    double leap() const;
+
+    /// The points that change their status in this state, or want to, and a
+    /// line on each of those that did.
+    unsigned int n_changes() const
+    {
+      return n_status_changes;
+    }
+
+    std::string changes() const;
+
+    /// The quantities that still change although the forces are in balance, in
+    /// words; empty if the forces are not in balance.
+    std::string unsettled() const;
+
+    ConvergenceTest<dim> convergence;
+
+  private:
+    void             evaluate_with(const bool single_changes);
+    unsigned int     update_status(const bool single_changes);
+    VolumeRatio<dim> evaluate_bodies();
+    void             add_contact();
+    double           residual_norm();
+
+    /// Pair the open points that have kept an earlier pairing. Returns whether
+    /// one of them is to close.
+    bool closes_in_full_pairing();
+
+    /// Before the first step and in balance: take the statuses that follow if
+    /// the state is in balance under them, too. @p of_bodies is the right side
+    /// without contact.
+    void   try_to_rest(const GhostedVector &of_bodies);
+    bool   points_follow_the_law() const;
+    void   check() const;
+    bool   friction_acts() const;
+    void   remember_status();
+    double part_until_touch() const;
+
+    /// Whether steps search for the statuses of their linear problem, as
+    /// ActiveSetSearch does with multipliers.
+    bool searches_in_step() const;
+
+    /// Solve the linear problem of @p step again under the statuses that its
+    /// solution has, until they settle. Returns the number of linear
+    /// iterations. Collective.
+    unsigned int search_statuses(typename LinearSystem<dim>::Step step);
+
+    /// Give the points the statuses that they have in the solution of the
+    /// linear problem, unless that is one to @p tolerance under these, too
+    /// [-]. Returns whether one is another.
+    bool adapt_statuses(const double tolerance);
+
+    const ContactModel<dim>                  &model;
+    const std::unique_ptr<LinearSystem<dim>> &system;
+    IncrementState<dim>                      &state;
+    Pairing<dim>                             &pairing;
+    TimerOutput                              &timer;
+
+    GhostedVector    rhs; // minus the residual
+    VolumeRatio<dim> smallest_volume;
+    unsigned int     n_status_changes = 0;
+
+    NewtonGlobalization           guard;
+    unsigned int                  n_steps       = 0;
+    bool                          one_at_a_time = false;
+    bool                          searches      = false;
+    double                        part          = 0; // of the last step
+    GhostedVector                 last;          // where the last step began
+    std::vector<PointStatus<dim>> last_statuses; // under which it was made
+    double                        last_residual = 0;
+    std::optional<double>         expected_way; // of the increment [mm]
+  };
+} // namespace Contact
+
+#endif
