@@ -7,7 +7,6 @@
 
 #include <algorithm>
 
-#include "contact/points/slave_corners.h"
 #include "contact/results/contact_results.h"
 
 namespace Contact
@@ -116,34 +115,6 @@ namespace Contact
     if (contact_pair.master)
       master_facets = name_facets(*contact_pair.master);
     find_values(interface, contact_pair);
-    if (contact_pair.has_point_per_multiplier() && !contact_pair.tied)
-      find_sides(interface, contact_pair);
-  }
-
-
-
-  template<int dim>
-  void ContactTractions<dim>::find_sides(const ContactInterface<dim> &interface,
-                                         const ContactPair<dim> &contact_pair)
-  {
-    MultiplierSpace numbering;
-    const auto      nodal   = make_nodal_points(slave, {}, numbering);
-    const auto      corners = find_corners(slave, numbering, nodal);
-    if (corners.empty())
-      return;
-    std::map<types::global_dof_index, Tensor<1, dim>> normal_of_dof;
-    for (const ContactPoint<dim> &point : interface.points_of(contact_pair))
-      if (!point.is_master_corner && point.side == 0 && point.facing)
-        normal_of_dof[point.dofs(point.own_node())[0]] = point.normal;
-    const auto normals = slave.facet_normals(solution);
-    for (const SlaveCorner &corner : corners)
-      if (const auto found =
-            normal_of_dof.find(slave.nodes[corner.node].dofs[0]);
-          found != normal_of_dof.end())
-        for (const SlaveCorner::Side &side : corner.sides)
-          for (const unsigned int e : side.facets)
-            parts_of_sides[{e, corner.node}] =
-              corner.part_of(side, found->second, normals);
   }
 
 
@@ -154,10 +125,7 @@ namespace Contact
   {
     for (unsigned int i = 0; i < slave.nodes.size(); ++i)
       {
-        const unsigned int k =
-          contact_pair.has_point_per_multiplier()
-            ? multiplier_at(interface, contact_pair, i, solution)
-            : contact_pair.multipliers.of_node[i];
+        const unsigned int k = multiplier_at(interface, contact_pair, i);
         if (k == numbers::invalid_unsigned_int)
           continue;
         at_nodes[i][0] = solution[interface.normal_index(k)];
@@ -176,15 +144,19 @@ namespace Contact
                                         const ContactPair<3>      &contact_pair)
   {
     std::vector<Tensor<1, 3>> of_multiplier(interface.n_normal_multipliers());
-    for (const ContactPoint<3> &point : interface.points_of(contact_pair))
+    const auto                points = interface.points_of(contact_pair);
+    const auto                acting = interface.acting_points(contact_pair);
+    for (unsigned int q = 0; q < points.size(); ++q)
       {
-        const unsigned int k = point.multipliers[0];
-        of_multiplier[k] = solution[interface.normal_index(k)] * point.normal;
+        const ContactPoint<3> &point = acting[q];
+        const unsigned int     k     = point.multipliers[0];
+        Tensor<1, 3> &of_point       = of_multiplier[points[q].multipliers[0]];
+        of_point = solution[interface.normal_index(k)] * point.normal;
         Tensor<1, 2> shear;
         if (!contact_pair.law.is_frictionless())
           for (unsigned int t = 0; t < 2; ++t)
             shear[t] = solution[interface.tangential_index(k, t)];
-        of_multiplier[k] += point.along_tangents(shear);
+        of_point += point.along_tangents(shear);
       }
     for (unsigned int i = 0; i < slave.nodes.size(); ++i)
       for (const auto &[k, part] : contact_pair.pressure_at(i))
@@ -220,10 +192,7 @@ namespace Contact
     for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
       {
         const unsigned int node = slave.facets[facet].nodes[a];
-        const auto         part = parts_of_sides.find({facet, node});
-        traction += place.shape.value[a] *
-                    (part == parts_of_sides.end() ? 1. : part->second) *
-                    at_nodes[node];
+        traction += place.shape.value[a] * at_nodes[node];
       }
     return traction;
   }

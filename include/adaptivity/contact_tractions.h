@@ -77,10 +77,6 @@ namespace Contact
     void find_values(const ContactInterface<dim> &interface,
                      const ContactPair<dim>      &contact_pair);
 
-    /// At corners of the slave sides that do not look at the master are free.
-    void find_sides(const ContactInterface<dim> &interface,
-                    const ContactPair<dim>      &contact_pair);
-
     Tensor<1, dim> interpolate(const unsigned int     facet,
                                const FacetPlace<dim> &place) const;
 
@@ -95,10 +91,6 @@ namespace Contact
 
     /// In the plane (p, q), in space the traction on the slave.
     std::vector<Tensor<1, dim>> at_nodes;
-
-    /// The part that a facet has in it, by facet and node, where that is a
-    /// corner.
-    std::map<std::pair<unsigned int, unsigned int>, double> parts_of_sides;
   };
 } // namespace Contact
 

@@ -27,26 +27,31 @@ namespace Contact
       const auto              &points    = interface.points();
       std::vector<signed char> codes     = interface.signature();
       Vector<double>           of_points = interface.bounds();
-      std::vector<Point<dim>>  places;
+      std::vector<Point<dim>>  places, facets;
       for (unsigned int k = 0; k < interface.free_motions().size(); ++k)
         archive &solution[interface.motion_index(k)];
       for (const ContactPoint<dim> &point : points)
-        places.push_back(interface.contact_pair(point).place(point));
+        {
+          const auto &contact_pair = interface.contact_pair(point);
+          places.push_back(contact_pair.place(point));
+          facets.push_back(contact_pair.place_of_facets(point));
+        }
       // Which of all points comes next: the closest to its place, up to
       // round-off.
       const auto next = [&](unsigned int q) {
-        unsigned int                    pair      = points[q].contact_pair;
-        bool                            is_corner = points[q].is_master_corner;
-        unsigned int                    side      = points[q].side;
-        Point<dim>                      X         = places[q];
-        archive &pair &is_corner &side &X;
+        unsigned int                 pair      = points[q].contact_pair;
+        bool                         is_corner = points[q].is_master_corner;
+        Point<dim>                   X         = places[q];
+        Point<dim>                   around    = facets[q];
+        archive &pair &is_corner &X &around;
         double closest = std::numeric_limits<double>::max();
         for (unsigned int k = 0;
              Archive::is_loading::value && k < places.size();
              ++k)
-          if (const double distance = X.distance_square(places[k]);
+          if (const double distance = X.distance_square(places[k]) +
+                                      around.distance_square(facets[k]);
               distance < closest && points[k].contact_pair == pair &&
-              points[k].is_master_corner == is_corner && points[k].side == side)
+              points[k].is_master_corner == is_corner)
             {
               closest = distance;
               q       = k;

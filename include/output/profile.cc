@@ -147,12 +147,11 @@ namespace Contact
                             std::vector<ProfileRow<dim>> &rows)
     {
       const auto of_corners = corner_loads(interface, contact_pair, solution);
-      std::vector<unsigned int> node_of(interface.n_normal_multipliers());
+      std::map<unsigned int, unsigned int> node_of; // by multiplier
       for (unsigned int n = 0; n < rows.size(); ++n)
         {
           rows[n].pressure = pressure_at(interface, contact_pair, n, solution);
-          const unsigned int k =
-            multiplier_at(interface, contact_pair, n, solution);
+          const unsigned int k = multiplier_at(interface, contact_pair, n);
           if (k != numbers::invalid_unsigned_int)
             {
               node_of[contact_pair.multipliers.of_node[n]] = n;
@@ -170,28 +169,28 @@ namespace Contact
             }
         }
 
-      for (const auto &[k, n] : contact_pair.multipliers.of_sides)
-        node_of[k] = n;
-
-      for (const ContactPoint<dim> &point : interface.points_of(contact_pair))
+      const auto points = interface.points_of(contact_pair);
+      const auto acting = interface.acting_points(contact_pair);
+      for (unsigned int q = 0; q < points.size(); ++q)
         {
+          const ContactPoint<dim> &point = acting[q];
           if (point.is_master_corner)
             continue;
           const double force = normal_force(interface, point, solution);
           for (unsigned int k = 0; k < point.n_multipliers; ++k)
             {
-              ProfileRow<dim> &row = rows[node_of[point.multipliers[k]]];
+              ProfileRow<dim> &row = rows[node_of.at(points[q].multipliers[k])];
               row.nodal_force += point.psi[k] * force;
               row.status = std::max(row.status, rank(point));
             }
 
           // A point at a node has been paired already, and with the geometry
           // as a fixed point it is this pairing that the result satisfies.
-          if (point.n_multipliers == 1 && point.side == 0)
+          if (point.n_multipliers == 1)
             {
               const ContactState<dim> state =
                 interface.state(point, solution, u_start);
-              ProfileRow<dim> &row = rows[node_of[point.multipliers[0]]];
+              ProfileRow<dim> &row = rows[node_of.at(points[q].multipliers[0])];
               row.gap              = state.gap;
               row.slip             = in_one_number(state.slip);
               row.slip_vector      = point.along_tangents(state.slip);
@@ -310,7 +309,7 @@ namespace Contact
     std::map<types::global_dof_index, unsigned int> node_of_dof;
     for (unsigned int n = 0; n < master.nodes.size(); ++n)
       node_of_dof[master.nodes[n].dofs[0]] = n;
-    for (const ContactPoint<dim> &point : interface.points_of(contact_pair))
+    for (const ContactPoint<dim> &point : interface.acting_points(contact_pair))
       {
         // Positive if it pushes.
         const double force = (point.is_master_corner ? -1 : 1) *

@@ -6,6 +6,7 @@
 #include "probes/traction_probes.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "base/errors.h"
@@ -36,7 +37,8 @@ namespace Contact
 
 
 
-    /// The node of a surface that has this unknown, or none.
+    /// The node of a surface, or of a facet of it, that has this unknown, or
+    /// none.
     template<int dim>
     unsigned int node_with(const Surface<dim>           &surface,
                            const types::global_dof_index dof)
@@ -45,6 +47,51 @@ namespace Contact
         if (surface.nodes[n].dofs[0] == dof)
           return n;
       return numbers::invalid_unsigned_int;
+    }
+
+    template<int dim>
+    unsigned int node_with(const Surface<dim>           &surface,
+                           const unsigned int            facet,
+                           const types::global_dof_index dof)
+    {
+      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+        if (const unsigned int n = surface.facets[facet].nodes[a];
+            surface.nodes[n].dofs[0] == dof)
+          return n;
+      return numbers::invalid_unsigned_int;
+    }
+
+
+
+    /// The nodes of a place that is at the end of a side of the slave, on the
+    /// side with the largest pressure in a solution, if there is one.
+    template<int dim>
+    void choose_side(const Place<dim>            &place,
+                     const ContactInterface<dim> &interface,
+                     const GhostedVector         &solution,
+                     PlaceOnSlave<dim>           &here)
+    {
+      const Surface<dim> &slave = here.contact_pair->slave;
+      double              most  = -std::numeric_limits<double>::max();
+      for (unsigned int e = 0; e < slave.facets.size(); ++e)
+        {
+          std::vector<std::pair<unsigned int, double>> nodes;
+          double                                       pressure = 0;
+          for (const auto &[dof, weight] : place.unknowns[0])
+            if (const unsigned int n = node_with(slave, e, dof);
+                n != numbers::invalid_unsigned_int)
+              {
+                nodes.emplace_back(n, weight);
+                pressure +=
+                  weight *
+                  pressure_at(interface, *here.contact_pair, n, solution);
+              }
+          if (nodes.size() == here.nodes.size() && pressure > most)
+            {
+              here.nodes = nodes;
+              most       = pressure;
+            }
+        }
     }
 
 
@@ -115,7 +162,8 @@ namespace Contact
     /// A place that check_contact_traction() has found on a first mesh.
     template<int dim>
     PlaceOnSlave<dim> on_slave(const Place<dim>            &place,
-                               const ContactInterface<dim> *interface)
+                               const ContactInterface<dim> *interface,
+                               const GhostedVector         &solution)
     {
       const auto found = on_slaves(place, interface);
       if (found.empty())
@@ -125,7 +173,9 @@ namespace Contact
             why_no_multiplier(place, interface),
           "Probes/Probes, pressure or shear",
           "give a place on the round side itself, or on a flat one");
-      return found.front();
+      PlaceOnSlave<dim> here = found.front();
+      choose_side(place, *interface, solution, here);
+      return here;
     }
   } // namespace
 
@@ -175,8 +225,7 @@ namespace Contact
                          const unsigned int           n,
                          const GhostedVector         &solution)
     {
-      const unsigned int k =
-        multiplier_at(interface, contact_pair, n, solution);
+      const unsigned int k = multiplier_at(interface, contact_pair, n);
       if (contact_pair.law.is_frictionless() ||
           k == numbers::invalid_unsigned_int)
         return 0;
@@ -199,7 +248,7 @@ namespace Contact
   {
     if (interface == nullptr)
       return 0;
-    const auto              found        = on_slave(place, interface);
+    const auto              found        = on_slave(place, interface, solution);
     const ContactPair<dim> &contact_pair = *found.contact_pair;
     const bool              is_normal    = quantity == Quantity::pressure;
     const auto of_corners = corner_loads(*interface, contact_pair, solution);
@@ -226,22 +275,20 @@ namespace Contact
                                const GhostedVector         &solution,
                                GhostedVector               &derivative)
   {
-    const auto [contact_pair, nodes] = on_slave(place, &interface);
+    const auto [contact_pair, nodes] = on_slave(place, &interface, solution);
     for (const auto &[n, weight] : nodes)
       {
-        const unsigned int k =
-          multiplier_at(interface, *contact_pair, n, solution);
+        const unsigned int k = multiplier_at(interface, *contact_pair, n);
         if (quantity != Quantity::pressure)
           {
             if (!contact_pair->law.is_frictionless() &&
                 k != numbers::invalid_unsigned_int)
               derivative[interface.tangential_index(k)] += factor * weight;
           }
-        else if (k != contact_pair->multipliers.of_node[n])
-          derivative[interface.normal_index(k)] += factor * weight;
         else
           for (const auto &[m, part] : contact_pair->pressure_at(n))
-            derivative[interface.normal_index(m)] += factor * weight * part;
+            derivative[interface.normal_index(
+              interface.acting_multiplier(m))] += factor * weight * part;
       }
   }
 

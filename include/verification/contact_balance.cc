@@ -33,12 +33,13 @@ namespace Contact
 
 
   template<int dim>
-  Point<dim> ContactCheck<dim>::position(const Surface<dim> &surface,
-                                         const unsigned int  node) const
+  Point<dim> ContactCheck<dim>::position(const SurfaceNode<dim> &node) const
   {
-    return parameters.geometry == Parameters::GeometryLoop::undeformed
-             ? surface.nodes[node].X
-             : surface.position(node, solution);
+    Point<dim> x = node.X;
+    if (parameters.geometry != Parameters::GeometryLoop::undeformed)
+      for (unsigned int i = 0; i < dim; ++i)
+        x[i] += solution[node.dofs[i]];
+    return x;
   }
 
 
@@ -48,41 +49,44 @@ namespace Contact
   ContactCheck<dim>::resultant(const ContactPair<dim> &contact_pair) const
   {
     // The middle of the slave and its size.
-    Point<dim> low = position(contact_pair.slave, 0), high = low;
+    Point<dim> low = position(contact_pair.slave.nodes[0]), high = low;
     for (unsigned int n = 1; n < contact_pair.slave.nodes.size(); ++n)
       for (unsigned int i = 0; i < dim; ++i)
         {
-          const Point<dim> x = position(contact_pair.slave, n);
+          const Point<dim> x = position(contact_pair.slave.nodes[n]);
           low[i]             = std::min(low[i], x[i]);
           high[i]            = std::max(high[i], x[i]);
         }
     const Point<dim> middle = low + 0.5 * (high - low);
 
-    // A node may see other contact pairs as well.
-    std::map<types::global_dof_index, Tensor<1, dim>> forces;
+    // A node may belong to several points, and see other contact pairs as well.
+    std::map<types::global_dof_index,
+             std::pair<Tensor<1, dim>, const SurfaceNode<dim> *>>
+      forces;
     for (unsigned int k = contact_pair.first_point;
          k < contact_pair.first_point + contact_pair.n_points;
          ++k)
       {
         const ContactPoint<dim> &point = interface.points()[k];
         for (unsigned int a = 0; a < point.n_nodes; ++a)
-          forces[point.dofs(a)[0]] += point.weight * point.C[a] *
-                                      (tractions[k].p * point.normal +
-                                       point.along_tangents(tractions[k].q));
+          {
+            auto &[force, node] = forces[point.dofs(a)[0]];
+            force += point.weight * point.C[a] *
+                     (tractions[k].p * point.normal +
+                      point.along_tangents(tractions[k].q));
+            node = point.nodes[a];
+          }
       }
 
     Resultant all;
     all.size = low.distance(high);
-    for (const Surface<dim> *surface :
-         {&contact_pair.slave, &*contact_pair.master})
-      for (unsigned int n = 0; n < surface->nodes.size(); ++n)
-        {
-          const Tensor<1, dim> f   = forces[surface->nodes[n].dofs[0]];
-          const Tensor<1, dim> arm = position(*surface, n) - middle;
-          all.force += f;
-          all.moment += moment_of(arm, f);
-          all.magnitude += f.norm();
-        }
+    for (const auto &[dof, of_node] : forces)
+      {
+        const auto &[f, node] = of_node;
+        all.force += f;
+        all.moment += moment_of(position(*node) - middle, f);
+        all.magnitude += f.norm();
+      }
     return all;
   }
 

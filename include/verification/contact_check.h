@@ -173,8 +173,7 @@ namespace Contact
 
     /// The moment that the discretization of contact leaves.
     double moment_of_discretization(const ContactPair<dim> &contact_pair) const;
-    Point<dim> position(const Surface<dim> &surface,
-                        const unsigned int  node) const;
+    Point<dim> position(const SurfaceNode<dim> &node) const;
 
     /// Whether any node of the slave is pushed.
     bool carries_force(const ContactPair<dim> &contact_pair) const;

@@ -23,6 +23,7 @@ namespace Contact
     const std::vector<Parameters::Contact> &parameters)
     : discretization(discretization)
   {
+    std::vector<ContactPair<dim> *> made;
     for (const Parameters::Contact &of_pair : parameters)
       {
         auto contact_pair = std::make_unique<ContactPair<dim>>(discretization,
@@ -41,12 +42,14 @@ namespace Contact
                                         ? numbers::invalid_unsigned_int
                                         : n_tangential++);
         make_free_motions(*contact_pair, of_pair);
+        made.push_back(contact_pair.get());
         pairs.push_back(std::move(contact_pair));
       }
     own = Utilities::MPI::create_evenly_distributed_partitioning(
       discretization.communicator,
       all_points.size());
-    find_corners();
+    frames = PointFrames<dim>(all_points, pairs);
+    frames.find_other_sides(all_points, made);
   }
 
 
@@ -127,27 +130,52 @@ namespace Contact
 
 
   template<int dim>
-  void ContactInterface<dim>::find_corners()
-  {
-    std::map<NodeDoFs<dim>, std::vector<unsigned int>> at_node;
-    for (unsigned int q = 0; q < all_points.size(); ++q)
-      if (!contact_pair(all_points[q]).master && all_points[q].n_nodes == 1)
-        at_node[all_points[q].dofs(0)].push_back(q);
-    for (const auto &[node, points] : at_node)
-      for (const unsigned int q : points)
-        for (const unsigned int other : points)
-          if (other != q)
-            in_corner[q].push_back(other);
-  }
-
-
-
-  template<int dim>
   ArrayView<const ContactPoint<dim>>
   ContactInterface<dim>::points_of(const ContactPair<dim> &contact_pair) const
   {
     return {all_points.data() + contact_pair.first_point,
             contact_pair.n_points};
+  }
+
+
+
+  template<int dim>
+  std::vector<ContactPoint<dim>>
+  ContactInterface<dim>::paired_anew(const GhostedVector &u) const
+  {
+    std::vector<ContactPoint<dim>> points = all_points;
+    frames.part(points);
+    for (const auto &contact_pair : pairs)
+      if (!contact_pair->tied)
+        contact_pair->pair({points.data() + contact_pair->first_point,
+                            contact_pair->n_points},
+                           u,
+                           {});
+    frames.join(points);
+    return points;
+  }
+
+
+
+  template<int dim>
+  std::vector<ContactPoint<dim>> ContactInterface<dim>::acting_points(
+    const ContactPair<dim> &contact_pair) const
+  {
+    std::vector<ContactPoint<dim>> points;
+    for (unsigned int q = contact_pair.first_point;
+         q < contact_pair.first_point + contact_pair.n_points;
+         ++q)
+      points.push_back(frames.as_it_acts(all_points, q));
+    return points;
+  }
+
+
+
+  template<int dim>
+  unsigned int
+  ContactInterface<dim>::acting_multiplier(const unsigned int k) const
+  {
+    return frames.acting_multiplier(all_points, k);
   }
 
 
@@ -244,7 +272,7 @@ namespace Contact
   {
     double sum = 0;
     for (const auto &[k, factor] : multipliers)
-      sum += factor * solution[normal_index(k)];
+      sum += factor * solution[normal_index(acting_multiplier(k))];
     // A continued pressure may not pull.
     return multipliers.size() > 1 ? std::max(0., sum) : sum;
   }
@@ -259,6 +287,7 @@ namespace Contact
     bool changed      = equations_changed;
     equations_changed = false;
     place_obstacles(u, /*keeps_place=*/false);
+    const auto joined = frames.part(all_points);
     for (const auto &contact_pair : pairs)
       changed =
         contact_pair->pair({all_points.data() + contact_pair->first_point,
@@ -266,7 +295,8 @@ namespace Contact
                            u,
                            mode) ||
         changed;
-    hold_in_corners();
+    changed = frames.join(all_points) != joined || changed;
+    find_held_slips();
     return changed;
   }
 

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <map>
 
-#include "contact/interface/contact_pair.h"
+#include "contact/interface/point_frames.h"
 
 namespace Contact
 {
@@ -105,6 +105,19 @@ namespace Contact
 
     ArrayView<const ContactPoint<dim>>
     points_of(const ContactPair<dim> &contact_pair) const;
+
+    /// The same for results: of points that are joined, see PointFrames, each
+    /// with its part of the force.
+    std::vector<ContactPoint<dim>>
+    acting_points(const ContactPair<dim> &contact_pair) const;
+
+    /// The normal multiplier that is the pressure of the point with the
+    /// multiplier @p k.
+    unsigned int acting_multiplier(const unsigned int k) const;
+
+    /// All points as they would be paired in the configuration @p u, but for
+    /// those of glue.
+    std::vector<ContactPoint<dim>> paired_anew(const GhostedVector &u) const;
 
     /// Return to the points of an earlier state, or of one to be checked.
     void set_points(const std::vector<ContactPoint<dim>> &points)
@@ -345,12 +358,12 @@ namespace Contact
     /// move it along a tangent, a point in contact slips.
     bool can_stick(const ContactPoint<dim> &point) const;
 
-    /// Whether a point sticks although its node is in contact with other
-    /// obstacles, whose normals hold it already in all directions: one of the
-    /// conditions is redundant. @p status_of gives the status of a point by its
-    /// number.
+    /// Whether a point sticks although the normals of other points in contact
+    /// hold its node already in all directions, see PointFrames: its tangential
+    /// conditions are redundant. @p status_of gives the status of a point by
+    /// its number.
     template<typename StatusOf>
-    bool is_held_in_corner(const unsigned int point,
+    bool is_held_by_others(const unsigned int point,
                            const StatusOf    &status_of) const;
 
     /// The status of a point under trial values, after the one @p before.
@@ -392,19 +405,12 @@ namespace Contact
     /// The slip [mm] with friction that supports prescribe in this increment.
     Tensor<1, dim - 1> slip_of_supports(const ContactPoint<dim> &point) const;
 
-    /// Points that stick and are held in a corner slip in no direction.
-    void release_in_corners();
+    /// Points that stick and are held by others slip in no direction.
+    void release_held();
 
-    /// The statuses or normals are others: in space, what holds points in
-    /// corners of obstacles along their tangents.
-    void hold_in_corners();
-
-    /// The directions along the tangents of a point in which others in contact
-    /// hold its node. Orthonormal.
-    template<typename StatusOf>
-    std::vector<Tensor<1, dim>>
-    slips_held_in_corner(const unsigned int point,
-                         const StatusOf    &status_of) const;
+    /// The statuses or normals are others: in space, the directions in which
+    /// points of one node hold each other.
+    void find_held_slips();
 
     void make_free_motions(ContactPair<dim>          &contact_pair,
                            const Parameters::Contact &parameters);
@@ -413,18 +419,16 @@ namespace Contact
                           const unsigned int   n,
                           const GhostedVector &u);
 
-    /// The points of other obstacles with the same node, by point.
-    void find_corners();
     void check_side(const ContactPair<dim>    &contact_pair,
                     const Parameters::Contact &parameters) const;
 
-    std::vector<ContactPoint<dim>>                    all_points;
-    IndexSet                                          own;
-    std::map<unsigned int, std::vector<unsigned int>> in_corner;
-    GhostedVector             support_motion; // of this increment
-    bool                      obstacles_are_moving = false;
-    bool                      paired_undeformed    = true;
-    std::vector<FreeMotion *> all_motions;
+    std::vector<ContactPoint<dim>> all_points;
+    PointFrames<dim>               frames;
+    IndexSet                       own;
+    GhostedVector                  support_motion; // of this increment
+    bool                           obstacles_are_moving = false;
+    bool                           paired_undeformed    = true;
+    std::vector<FreeMotion *>      all_motions;
     bool equations_changed = false; // since the last pairing: of motions
 
     /// Of each normal multiplier the number of its tangential one.
@@ -436,32 +440,11 @@ namespace Contact
 
   template<int dim>
   template<typename StatusOf>
-  bool ContactInterface<dim>::is_held_in_corner(const unsigned int point,
+  bool ContactInterface<dim>::is_held_by_others(const unsigned int point,
                                                 const StatusOf &status_of) const
   {
     return status_of(point).kind == Status::stick &&
-           slips_held_in_corner(point, status_of).size() == dim - 1;
-  }
-
-
-
-  template<int dim>
-  template<typename StatusOf>
-  std::vector<Tensor<1, dim>>
-  ContactInterface<dim>::slips_held_in_corner(const unsigned int point,
-                                              const StatusOf &status_of) const
-  {
-    std::vector<Tensor<1, dim>> held;
-    const auto                  others = in_corner.find(point);
-    if (others == in_corner.end())
-      return held;
-    const ContactPoint<dim> &of = all_points[point];
-    for (const unsigned int other : others->second)
-      if (status_of(other).kind != Status::open)
-        add_orthonormal(of.along_tangents(
-                          of.tangential_part(all_points[other].normal)),
-                        held);
-    return held;
+           frames.held_slips(all_points, point, status_of).size() == dim - 1;
   }
 } // namespace Contact
 

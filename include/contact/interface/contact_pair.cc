@@ -23,9 +23,13 @@ namespace Contact
     template<int dim>
     Surface<dim> make_surface(const Discretization<dim> &discretization,
                               const std::string         &name,
-                              const std::string         &entry)
+                              const std::string         &entry,
+                              const SurfaceCut           cut)
     {
-      return {discretization, discretization.mesh.boundary(name, entry), name};
+      return {discretization,
+              discretization.mesh.boundary(name, entry),
+              name,
+              cut};
     }
 
 
@@ -39,7 +43,8 @@ namespace Contact
         return {};
       return make_surface(discretization,
                           parameters.master,
-                          parameters.section() + "/Master");
+                          parameters.section() + "/Master",
+                          SurfaceCut::none);
     }
 
 
@@ -81,15 +86,13 @@ namespace Contact
     // There the surfaces keep their distance. The weighted gap of the node has
     // the nodes around it as well, and they would have to bend for the polygons
     // to agree: a pressure that grows without bound as the edges get shorter.
-    // At a corner that is so of all sides, or of none: in a plane of symmetry
-    // the end of a shaft is held along its axis, and its side is free.
     template<int dim>
     std::set<unsigned int>
     nodes_held_with_master(const Surface<dim>        &slave,
                            const Surface<dim>        &master,
                            const Discretization<dim> &discretization)
     {
-      std::set<unsigned int> held, free;
+      std::set<unsigned int> held;
       const auto             normals =
         slave.facet_normals(GhostedVector(discretization.distribution));
       for (unsigned int e = 0; e < slave.facets.size(); ++e)
@@ -106,20 +109,17 @@ namespace Contact
               return r.norm() < h && r * normal > -1e-8 * h &&
                      (r - (r * normal) * normal).norm() < 1e-3 * h;
             };
-            const bool is_held =
-              (discretization.normal_supports.hold(node.dofs) ||
-               std::any_of(node.dofs.begin(),
-                           node.dofs.end(),
-                           [&](const auto dof) {
-                             return discretization.is_fixed(dof);
-                           })) &&
-              std::any_of(master.nodes.begin(),
-                          master.nodes.end(),
-                          keeps_distance);
-            (is_held ? held : free).insert(i);
+            if ((discretization.normal_supports.hold(node.dofs) ||
+                 std::any_of(node.dofs.begin(),
+                             node.dofs.end(),
+                             [&](const auto dof) {
+                               return discretization.is_fixed(dof);
+                             })) &&
+                std::any_of(master.nodes.begin(),
+                            master.nodes.end(),
+                            keeps_distance))
+              held.insert(i);
           }
-      for (const unsigned int i : free)
-        held.erase(i);
       return held;
     }
 
@@ -156,7 +156,8 @@ namespace Contact
           parameters.friction_coefficient}
     , slave(make_surface(discretization,
                          parameters.slave,
-                         parameters.section() + "/Slave"))
+                         parameters.section() + "/Slave",
+                         tied ? SurfaceCut::none : SurfaceCut::into_sides))
     , master(make_master(discretization, parameters))
     , obstacle(make_obstacle<dim>(parameters))
     , interference(make_interference<dim>(parameters))
@@ -173,16 +174,18 @@ namespace Contact
         const auto &dofs =
           discretization.vertex_dofs
             [discretization.mesh.point(point, section + "/Excluded points")];
-        const auto node =
-          std::find_if(slave.nodes.begin(),
-                       slave.nodes.end(),
-                       [&](const auto &node) { return node.dofs == dofs; });
-        if (node == slave.nodes.end())
+        bool is_on_slave = false;
+        for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+          if (slave.nodes[i].dofs == dofs)
+            {
+              excluded.insert(i);
+              is_on_slave = true;
+            }
+        if (!is_on_slave)
           throw InputError("the point '" + point + "' is not on the slave '" +
                              parameters.slave + "'",
                            "entry '" + section + "/Excluded points'",
                            "name a vertex of the slave, or leave it out");
-        excluded.insert(node - slave.nodes.begin());
       }
     check_ties(slave,
                master ? &*master : nullptr,
@@ -294,17 +297,9 @@ namespace Contact
     std::vector<ContactPoint<dim>> points = make_discretization_points();
     n_of_discretization                   = points.size();
     make_axis_points(points);
-    n_without_sides = points.size();
+    n_of_slave = points.size();
     if (!tied && !law.is_frictionless())
       mark_rims(slave, multipliers, discretization, points);
-    if (can_have_corner_points() && !mortar)
-      corner_sides.add_points(slave, multipliers, points);
-    if constexpr (dim == 2)
-      if (can_have_corner_points() && mortar)
-        mortar->add_side_points(multipliers, points);
-    if (obstacle && has_point_per_multiplier())
-      corners = find_corners(slave, multipliers, points);
-    n_of_slave = points.size();
     if (can_have_corner_points())
       for (ContactPoint<dim> &corner :
            make_corner_points(*master, parameters.ends_are_corners))
@@ -319,8 +314,6 @@ namespace Contact
     for (unsigned int &k : multipliers.of_node)
       if (k != numbers::invalid_unsigned_int)
         k += first_multiplier;
-    for (auto &of_side : multipliers.of_sides)
-      of_side.first += first_multiplier;
     for (ContactPoint<dim> &point : points)
       {
         for (unsigned int k = 0; k < point.n_multipliers; ++k)
@@ -417,6 +410,22 @@ namespace Contact
     for (unsigned int a = 0; a < own.n_nodes_per_facet(); ++a)
       X += shape.value[a] * own.nodes[own.facets[point.slave_facet].nodes[a]].X;
     return X;
+  }
+
+  template<int dim>
+  Point<dim>
+  ContactPair<dim>::place_of_facets(const ContactPoint<dim> &point) const
+  {
+    const Surface<dim>       &own   = surface_of(point);
+    const SurfaceFacet<dim>  &facet = own.facets[point.slave_facet];
+    std::vector<unsigned int> around{point.slave_facet};
+    for (unsigned int a = 0; a < own.n_nodes_per_facet(); ++a)
+      if (node_place<dim>(a) == point.slave_xi)
+        around = own.facets_of_node[facet.nodes[a]];
+    Point<dim> sum;
+    for (const unsigned int e : around)
+      sum += own.facets[e].middle / (1. * around.size());
+    return sum;
   }
 
   template class ContactPair<2>;

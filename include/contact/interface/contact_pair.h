@@ -14,7 +14,6 @@
 #include "contact/obstacles/free_motion.h"
 #include "contact/obstacles/obstacle.h"
 #include "contact/points/contact_points.h"
-#include "contact/points/corner_sides.h"
 #include "solid/elasticity.h"
 
 namespace Contact
@@ -31,12 +30,12 @@ namespace Contact
    * common: the discretization by which they are made and paired, and the law
    * of friction. The master is a surface of a body, or a rigid obstacle.
    *
-   * The points are those of the discretization, and behind them what it can not
-   * see: with the mortar discretization at degree 2 a nodal point for a node on
-   * an axis of symmetry, which has no dual function; with the nodal
-   * discretization the further sides of the slave's corners (corner_sides.h);
-   * with the discretizations mortar and nodal the corners of the master
-   * (corner_points.h).
+   * The slave is cut into smooth sides, but for glue, which holds all
+   * directions whatever the normal. The points are those of the discretization,
+   * and behind them what it can not see: with the mortar discretization at
+   * degree 2 a nodal point for a node on an axis of symmetry, which has no dual
+   * function; with the discretizations mortar and nodal the corners of the
+   * master (corner_points.h).
    *
    * On an obstacle the nodal and mortar discretizations are one: of a gap that
    * is linear along the edge, which it is over a half plane, the dual functions
@@ -95,6 +94,12 @@ namespace Contact
 
     /// Numbered among those of all contact pairs.
     MultiplierSpace multipliers;
+
+    /// By nodes of the slave, the sides that meet there besides the one that
+    /// the node is on: surfaces, and their nodes there.
+    std::map<unsigned int,
+             std::vector<std::pair<const Surface<dim> *, unsigned int>>>
+      other_sides;
 
     /// Their place among the points of all contact pairs.
     unsigned int first_point = 0, n_points = 0;
@@ -169,19 +174,23 @@ namespace Contact
       return parameters.section();
     }
 
+    /// The mean place of the undeformed facets around a point [mm], which tells
+    /// points of one node by their sides.
+    Point<dim> place_of_facets(const ContactPoint<dim> &point) const;
+
     /// The undeformed place of a point [mm].
     Point<dim> place(const ContactPoint<dim> &point) const;
 
   private:
+    NormalCone<dim>                directions(const ContactPoint<dim> &point,
+                                              const FacetNormals<dim> &normals,
+                                              const GhostedVector     &u) const;
     bool                           can_have_corner_points() const;
     std::vector<ContactPoint<dim>> make_discretization_points();
     void make_axis_points(std::vector<ContactPoint<dim>> &points);
     bool pair_all(const ArrayView<ContactPoint<dim>> &points,
                   const GhostedVector                &u,
                   const PairingMode                  &mode) const;
-    bool pair_with_sides(const ArrayView<ContactPoint<dim>> &points,
-                         const GhostedVector                &u,
-                         const PairingMode                  &mode) const;
     bool project(const ArrayView<ContactPoint<dim>> &points,
                  const GhostedVector                &u,
                  const PairingMode                  &mode,
@@ -195,12 +204,10 @@ namespace Contact
     std::set<unsigned int>    excluded; // nodes of the slave
     std::set<unsigned int>    on_axis;  // without a dual function
     std::unique_ptr<MortarDiscretization<dim>> mortar;
-    CornerSides<dim>                           corner_sides;
-    std::vector<SlaveCorner>                   corners; // on an obstacle
 
     /// Of the points those of the discretization, those with the ones on an
     /// axis, and all that belong to the slave.
-    unsigned int n_of_discretization = 0, n_without_sides = 0, n_of_slave = 0;
+    unsigned int n_of_discretization = 0, n_of_slave = 0;
     unsigned int first_multiplier = 0;
   };
 

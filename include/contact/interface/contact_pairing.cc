@@ -57,24 +57,11 @@ namespace Contact
     if (interference->added() != 0)
       of_mortar.keeps_open_points = of_mortar.leaves_far_points = false;
     const auto of_discretization = part(0, n_of_discretization);
-    const auto pair_by_mortar    = [&]() {
-      if constexpr (dim == 2)
-        return mortar->pair(of_discretization,
-                            u,
-                            of_mortar,
-                            part(n_without_sides, n_of_slave));
-      else
-        return mortar->pair(of_discretization, u, of_mortar);
-    };
-    bool changed = mortar ? pair_by_mortar()
-                   : corner_sides.is_empty()
-                     ? project(of_discretization, u, mode)
-                     : pair_with_sides(points, u, mode);
-    if (!corners.empty())
-      weigh(corners, slave.facet_normals(u), of_discretization);
-    if (n_of_discretization < n_without_sides)
+    bool       changed = mortar ? mortar->pair(of_discretization, u, of_mortar)
+                                : project(of_discretization, u, mode);
+    if (n_of_discretization < n_of_slave)
       changed =
-        project(part(n_of_discretization, n_without_sides), u, mode) || changed;
+        project(part(n_of_discretization, n_of_slave), u, mode) || changed;
     if (has_corner_points())
       changed = pair_corners(points, u) || changed;
 
@@ -85,49 +72,7 @@ namespace Contact
         if (const unsigned int own =
               multipliers.of_node[node] - first_multiplier;
             own < n_of_slave && (!mortar || own >= n_of_discretization))
-          for (const unsigned int k :
-               corner_sides.same_as(points, own, -points[q].normal))
-            points[k].facing = false;
-    return changed;
-  }
-
-
-
-  // The sides may take what the nodes' own points have found.
-  template<int dim>
-  bool
-  ContactPair<dim>::pair_with_sides(const ArrayView<ContactPoint<dim>> &points,
-                                    const GhostedVector                &u,
-                                    const PairingMode &mode) const
-  {
-    std::vector<ContactPoint<dim> *> of_corners;
-    for (const auto &node : corner_sides.nodes)
-      {
-        of_corners.push_back(&points[node.own]);
-        for (unsigned int i = 0; i < node.sides.size(); ++i)
-          of_corners.push_back(&points[node.first + i]);
-      }
-    std::vector<PointPairing<dim>> before;
-    for (const ContactPoint<dim> *point : of_corners)
-      before.push_back(*point);
-
-    const SurfaceSearch<dim> search(*master, u);
-    const auto               normals = slave.facet_normals(u);
-    bool                     changed =
-      project({points.data(), n_of_discretization}, u, mode, search, normals);
-    corner_sides.pair(points,
-                      slave,
-                      *master,
-                      search,
-                      normals,
-                      discretization,
-                      u,
-                      mode.keeps_edges);
-    for (unsigned int k = 0; k < of_corners.size(); ++k)
-      {
-        differentiate(*of_corners[k], u, mode);
-        changed = changed || of_corners[k]->nodes != before[k].nodes;
-      }
+          points[own].facing = false;
     return changed;
   }
 
@@ -181,6 +126,30 @@ namespace Contact
 
 
 
+  // Where another side goes on, nothing beside this one is its partner.
+  template<int dim>
+  NormalCone<dim> ContactPair<dim>::directions(const ContactPoint<dim> &point,
+                                               const FacetNormals<dim> &normals,
+                                               const GhostedVector     &u) const
+  {
+    NormalCone<dim> directions = directions_of(point, slave, normals);
+    if (other_sides.empty())
+      return directions;
+    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      if (node_place<dim>(a) == point.slave_xi)
+        if (const auto sides =
+              other_sides.find(slave.facets[point.slave_facet].nodes[a]);
+            sides != other_sides.end())
+          {
+            directions.at_end = false;
+            for (const auto &[surface, node] : sides->second)
+              directions.others.push_back(surface->normal_at(node, u));
+          }
+    return directions;
+  }
+
+
+
   template<int dim>
   bool ContactPair<dim>::project(const ArrayView<ContactPoint<dim>> &points,
                                  const GhostedVector                &u,
@@ -189,8 +158,17 @@ namespace Contact
     bool changed = false;
     if (obstacle)
       {
+        const auto normals = slave.facet_normals(u);
         for (ContactPoint<dim> &point : points)
-          pair_with_obstacle(point, *obstacle, discretization, u);
+          {
+            pair_with_obstacle(point, *obstacle, discretization, u);
+            NormalCone<dim> here = directions(point, normals, u);
+            if (!here.others.empty())
+              {
+                here.others.clear();
+                point.facing = point.facing && here.faces(point.normal);
+              }
+          }
         discretization.counters.projections += points.size();
         return changed;
       }
@@ -216,7 +194,7 @@ namespace Contact
       {
         const auto old_nodes = point.nodes;
         pair_with_master(point,
-                         directions_of(point, slave, normals),
+                         directions(point, normals, u),
                          *master,
                          search,
                          discretization,

@@ -38,31 +38,31 @@ namespace Contact
           state(point, u, u).gap <=
             0.01 * contact_pair(point).edge_length(point))
         point.status.kind = can_stick(point) ? Status::stick : Status::slip;
-    release_in_corners();
+    release_held();
   }
 
 
 
   template<int dim>
-  void ContactInterface<dim>::release_in_corners()
+  void ContactInterface<dim>::release_held()
   {
-    for (const auto &[q, others] : in_corner)
-      if (is_held_in_corner(q, [this](const unsigned int point) {
+    for (const auto &[q, others] : frames.others())
+      if (is_held_by_others(q, [this](const unsigned int point) {
             return all_points[point].status;
           }))
         all_points[q].status = {Status::slip, {}};
-    hold_in_corners();
+    find_held_slips();
   }
 
 
 
   template<int dim>
-  void ContactInterface<dim>::hold_in_corners()
+  void ContactInterface<dim>::find_held_slips()
   {
     if (dim == 3)
-      for (const auto &[q, others] : in_corner)
+      for (const auto &[q, others] : frames.others())
         all_points[q].held_slips =
-          slips_held_in_corner(q, [this](const unsigned int point) {
+          frames.held_slips(all_points, q, [this](const unsigned int point) {
             return all_points[point].status;
           });
   }
@@ -102,7 +102,7 @@ namespace Contact
     };
     if (!close(false))
       close(true);
-    release_in_corners();
+    release_held();
   }
 
 
@@ -307,8 +307,8 @@ namespace Contact
         status_in(all_points[q], solution, u_start, moving_bound));
     std::vector<PointStatus<dim>> updated =
       gathered(of_rank, discretization.communicator);
-    for (const auto &[q, others] : in_corner)
-      if (is_held_in_corner(q, [&](const unsigned int point) {
+    for (const auto &[q, others] : frames.others())
+      if (is_held_by_others(q, [&](const unsigned int point) {
             return updated[point];
           }))
         updated[q] = {Status::slip, {}};
@@ -333,7 +333,7 @@ namespace Contact
         ContactPoint<dim>     &point  = all_points[q];
         const PointStatus<dim> before = point.status;
         point.status = status_in(point, solution, u_start, moving_bound);
-        release_in_corners();
+        release_held();
         if (point.status == before)
           continue;
         if (!moving_bound && point.status.kind == Status::open)
@@ -379,7 +379,7 @@ namespace Contact
       if (!contact_pair(point).tied &&
           state(point, solution, solution).p_trial <= 0)
         point.status = PointStatus<dim>();
-    hold_in_corners();
+    find_held_slips();
   }
 
 
@@ -401,7 +401,7 @@ namespace Contact
   {
     for (unsigned int q = 0; q < all_points.size(); ++q)
       all_points[q].status = all[q];
-    hold_in_corners();
+    find_held_slips();
   }
 
 

@@ -27,7 +27,7 @@ namespace Contact
     const GhostedVector &configuration =
       interface.is_paired_undeformed() ? undeformed : solution;
     std::array<ObstacleForce<dim>, 2> forces;
-    for (const ContactPoint<dim> &point : interface.points_of(contact_pair))
+    for (const ContactPoint<dim> &point : interface.acting_points(contact_pair))
       {
         const ContactState<dim> now = interface.state(point, solution, u_start);
         const Traction<dim>     t   = interface.traction(point,

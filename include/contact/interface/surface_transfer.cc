@@ -19,10 +19,18 @@ namespace Contact
       std::vector<Point<2>> X;
       for (const SurfaceNode<2> &node : slave.nodes)
         X.push_back(node.X);
-      auto         places = slave.arc_length(X);
-      const double length = places.back();
-      for (double &place : places)
-        place /= length;
+      auto                      places = slave.arc_length(X);
+      const double              length = places.back();
+      std::vector<unsigned int> side(places.size());
+      unsigned int              n_sides = 0;
+      for (unsigned int e = 0; e < slave.facets.size(); ++e)
+        {
+          n_sides += e > 0 && slave.facets[e].previous != e - 1;
+          for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+            side[slave.facets[e].nodes[a]] = n_sides;
+        }
+      for (unsigned int i = 0; i < places.size(); ++i)
+        places[i] = side[i] + places[i] / length;
       return places;
     }
 
@@ -68,15 +76,6 @@ namespace Contact
 
 
 
-    /// Corners of the master and sides of corners of the slave, as many on each
-    /// mesh.
-    bool has_own_force(const ContactPoint<2> &point)
-    {
-      return point.is_master_corner || point.side > 0;
-    }
-
-
-
     SurfaceState<2> save_pair(const ContactInterface<2> &interface,
                               const ContactPair<2>      &contact_pair,
                               const GhostedVector       &solution)
@@ -88,16 +87,18 @@ namespace Contact
           const unsigned int k = contact_pair.multipliers.of_node[i];
           if (k == numbers::invalid_unsigned_int)
             continue;
+          const unsigned int acting = interface.acting_multiplier(k);
           state.place.push_back(all_places[i]);
-          state.pressure.push_back(solution[interface.normal_index(k)]);
-          state.shear.push_back(contact_pair.law.is_frictionless()
-                                  ? 0.
-                                  : solution[interface.tangential_index(k)]);
-          state.bound.push_back(interface.points()[k].friction_bound);
-          state.statuses.push_back(interface.points()[k].status);
+          state.pressure.push_back(solution[interface.normal_index(acting)]);
+          state.shear.push_back(
+            contact_pair.law.is_frictionless()
+              ? 0.
+              : solution[interface.tangential_index(acting)]);
+          state.bound.push_back(interface.points()[acting].friction_bound);
+          state.statuses.push_back(interface.points()[acting].status);
         }
       for (const ContactPoint<2> &point : interface.points_of(contact_pair))
-        if (has_own_force(point))
+        if (point.is_master_corner)
           {
             const unsigned int k = point.multipliers[0];
             state.corners.push_back(
@@ -180,7 +181,7 @@ namespace Contact
            q < contact_pair.first_point + contact_pair.n_points &&
            corner != state.corners.end();
            ++q)
-        if (has_own_force(points[q]))
+        if (points[q].is_master_corner)
           {
             ContactPoint<2> &point = points[q];
             point.status = point.facing ? corner->status : PointStatus<2>();
@@ -210,13 +211,14 @@ namespace Contact
           if (k == numbers::invalid_unsigned_int)
             continue;
           state.place.push_back(contact_pair.slave.nodes[i].X);
-          const ContactPoint<3> &point = interface.points()[k];
-          state.pressure.push_back(solution[interface.normal_index(k)]);
+          const unsigned int     acting = interface.acting_multiplier(k);
+          const ContactPoint<3> &point  = interface.points()[acting];
+          state.pressure.push_back(solution[interface.normal_index(acting)]);
           state.bound.push_back(point.friction_bound);
           Tensor<1, 2> shear;
           for (unsigned int t = 0; t < 2 && !contact_pair.law.is_frictionless();
                ++t)
-            shear[t] = solution[interface.tangential_index(k, t)];
+            shear[t] = solution[interface.tangential_index(acting, t)];
           state.shear.push_back(point.along_tangents(shear));
           state.statuses.push_back(point.status);
           state.slip_directions.push_back(

@@ -284,38 +284,10 @@ namespace Contact
     const SlaveFacet own(e, slave, now);
     for (const unsigned int m : now.search.facets_in(box))
       if (directions.faces(now.master_middles[m]))
-        if (const double part = part_of_side(e, m); part > 0)
-          add_segment(own, m, part);
+        add_segment(own, m);
     remove_hidden(own);
     remove_beyond(own);
     return of_facet;
-  }
-
-
-
-  double FaceSegments::part_of_side(const unsigned int slave_facet,
-                                    const unsigned int master_facet) const
-  {
-    const SurfaceFacet<3> &facet    = slave.facets[slave_facet];
-    const auto             angle_to = [&](const unsigned int e) {
-      return std::acos(
-        std::clamp(-(now.slave_middles[e] * now.master_middles[master_facet]),
-                   -1.,
-                   1.));
-    };
-    const double corner = numbers::PI / 180 * Surface<3>::feature_angle;
-    double       part   = 1;
-    for (unsigned int s = 0; s < 4; ++s)
-      if (facet.corner[s])
-        {
-          const double own = angle_to(slave_facet);
-          const double beside =
-            1 - (own - angle_to(facet.neighbors[s])) / corner;
-          const double alone =
-            (numbers::PI / 180 * NormalCone<2>::largest_angle - own) / corner;
-          part = std::min(part, std::max(beside, alone));
-        }
-    return std::max(0., part);
   }
 
 
@@ -340,10 +312,7 @@ namespace Contact
 
 
 
-  // The part scales the weights.
-  void FaceSegments::add_segment(const SlaveFacet  &own,
-                                 const unsigned int m,
-                                 const double       part)
+  void FaceSegments::add_segment(const SlaveFacet &own, const unsigned int m)
   {
     const auto &other_nodes = master.facets[m].nodes;
     const auto  on_slave    = [&](const FacetShape<3>::Values &values) {
@@ -387,7 +356,7 @@ namespace Contact
                       s.map.coordinates_of(place, inside(corners_in_s, eta));
                     const Point<2>   slave_xi = s.in_facet(in_s);
                     const FacetBasis basis(slave.degree, slave_xi);
-                    const double     weight = part * 2 * area(triangle) *
+                    const double     weight = 2 * area(triangle) *
                                           quadrature.weight(q) /
                                           s.map.jacobian(in_s) * scale * scale *
                                           own.reference_jacobian(basis);

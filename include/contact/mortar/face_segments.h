@@ -115,14 +115,7 @@ namespace Contact
     double distance_to_master(const unsigned int   slave_node,
                               const NormalCone<3> &directions);
 
-    /// As MortarGeometry::part_of_side() in the plane, with the normals
-    /// in the middles of the facets.
-    double part_of_side(const unsigned int slave_facet,
-                        const unsigned int master_facet) const;
-
-    void add_segment(const SlaveFacet  &own,
-                     const unsigned int master_facet,
-                     const double       part);
+    void add_segment(const SlaveFacet &own, const unsigned int master_facet);
     void remove_hidden(const SlaveFacet &own);
     void remove_beyond(const SlaveFacet &own);
 

@@ -22,25 +22,6 @@ namespace Contact
                        point.slave_xi) -
              node_coordinates.begin();
     }
-
-
-
-    /// The mean normal of what a slave edge faces, by its part in it; zero if
-    /// that is nothing.
-    Tensor<1, 2> faced_normal(const MortarGeometry<double> &now,
-                              const unsigned int            slave_facet,
-                              const MortarOverlap          &overlap)
-    {
-      Tensor<1, 2> sum;
-      for (const auto &sample : mortar_samples(now, slave_facet, overlap))
-        {
-          const EdgeShape shape(now.master.degree, sample.master_xi);
-          for (unsigned int b = 0; b < now.master.n_nodes_per_facet(); ++b)
-            sum += sample.weight * shape.value[b] *
-                   now.master_normals[sample.master_facet][b];
-        }
-      return sum;
-    }
   } // namespace
 
 
@@ -96,80 +77,16 @@ namespace Contact
 
 
 
-  std::vector<unsigned int> MortarDiscretization<2>::edges_behind_kinks() const
-  {
-    std::vector<unsigned int> edges;
-    for (unsigned int e = 0; e < slave.facets.size(); ++e)
-      if (slave.facets[e].previous != numbers::invalid_unsigned_int &&
-          carries[e][0] &&
-          slave.turns[slave.facets[e].nodes[0]] >
-            numbers::PI / 360 * Surface<2>::feature_angle)
-        edges.push_back(e);
-    return edges;
-  }
-
-
-
-  // Whatever kink stands alone on one mesh does so on a finer one, but not the
-  // other way round. Each has a point, so that there are as many on all meshes.
-  void MortarDiscretization<2>::add_side_points(
-    MultiplierSpace              &multipliers,
-    std::vector<ContactPoint<2>> &points) const
-  {
-    for (const unsigned int e : edges_behind_kinks())
-      {
-        const unsigned int node  = slave.facets[e].nodes[0];
-        ContactPoint<2>    point = points[multipliers.of_node[node]];
-        point.side               = 1;
-        point.slave_facet        = e;
-        point.slave_xi           = node_coordinates[0];
-        point.multipliers[0]     = multipliers.n_multipliers++;
-        multipliers.of_sides.emplace_back(point.multipliers[0], node);
-        points.push_back(point);
-      }
-  }
-
-
-
-  // By more than half of the turn of the slave the faces are nearer to one of
-  // the master for each side than to one for both.
-  std::set<unsigned int> MortarDiscretization<2>::parted_nodes(
-    const MortarGeometry<double>     &now,
-    const std::vector<MortarOverlap> &overlaps) const
-  {
-    std::set<unsigned int> parted;
-    for (const unsigned int e : edges_behind_kinks())
-      {
-        const unsigned int before = slave.facets[e].previous;
-        if (!slave.facets[e].parts_sides[0] || overlaps[e].segments.empty() ||
-            overlaps[before].segments.empty())
-          continue;
-        const double       turn = now.turn_between(before, e);
-        const Tensor<1, 2> n    = faced_normal(now, before, overlaps[before]),
-                           m    = faced_normal(now, e, overlaps[e]);
-        if (turn > 0 && std::atan2(cross(n, m), n * m) > turn / 2)
-          parted.insert(slave.facets[e].nodes[0]);
-      }
-    return parted;
-  }
-
-
-
-  bool
-  MortarDiscretization<2>::pair(const ArrayView<ContactPoint<2>> &points,
-                                const GhostedVector              &u,
-                                const PairingMode                &mode,
-                                const ArrayView<ContactPoint<2>> &sides) const
+  bool MortarDiscretization<2>::pair(const ArrayView<ContactPoint<2>> &points,
+                                     const GhostedVector              &u,
+                                     const PairingMode &mode) const
   {
     const MortarGeometry<double> now(slave, master, discretization, u);
     const MortarSegments         segments(now, u);
     std::vector<MortarOverlap>   overlaps;
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
       overlaps.push_back(segments.overlap(e));
-    std::set<unsigned int> parted;
-    if (sides.size() > 0)
-      parted = parted_nodes(now, overlaps);
-    MortarIntegrals<double> integrals(now, carries, parted);
+    MortarIntegrals<double> integrals(now, carries);
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
       if (!overlaps[e].segments.empty())
         integrals.add_edge(e, overlaps[e]);
@@ -178,21 +95,17 @@ namespace Contact
     if (mode.with_derivatives)
       moving.emplace(slave, master, discretization, u);
     bool changed = false;
-    for (const auto &all : {points, sides})
-      for (ContactPoint<2> &point : all)
-        {
-          const auto old_nodes   = point.nodes;
-          const auto old_changes = point.change.dofs;
-          fill_in(now,
-                  integrals.pairing(slave_node(point), point.side),
-                  u,
-                  point);
-          point.change = PairingChange<2>();
-          if (moving && point.facing)
-            differentiate(*moving, overlaps, parted, point);
-          changed = changed || point.nodes != old_nodes ||
-                    point.change.dofs != old_changes;
-        }
+    for (ContactPoint<2> &point : points)
+      {
+        const auto old_nodes   = point.nodes;
+        const auto old_changes = point.change.dofs;
+        fill_in(now, integrals.pairing(slave_node(point)), u, point);
+        point.change = PairingChange<2>();
+        if (moving && point.facing)
+          differentiate(*moving, overlaps, point);
+        changed = changed || point.nodes != old_nodes ||
+                  point.change.dofs != old_changes;
+      }
     return changed;
   }
 
@@ -343,18 +256,16 @@ namespace Contact
   void MortarDiscretization<2>::differentiate(
     MortarGeometry<WithDerivatives>  &now,
     const std::vector<MortarOverlap> &overlaps,
-    const std::set<unsigned int>     &parted,
     ContactPoint<2>                  &point) const
   {
     const unsigned int node                = slave_node(point);
     const auto [slave_nodes, master_nodes] = nodes_around(node, overlaps);
     now.follow(slave_nodes, master_nodes);
-    MortarIntegrals<WithDerivatives> integrals(now, carries, parted);
+    MortarIntegrals<WithDerivatives> integrals(now, carries);
     for (const unsigned int e : slave.facets_of_node[node])
       if (!overlaps[e].segments.empty())
         integrals.add_edge(e, overlaps[e], node);
-    const MortarPairing<WithDerivatives> pairing =
-      integrals.pairing(node, point.side);
+    const MortarPairing<WithDerivatives> pairing = integrals.pairing(node);
 
     PairingChange<2> &change = point.change;
     for (const unsigned int i : slave_nodes)

@@ -53,10 +53,7 @@ namespace Contact
    *    penetration where there is none. The gap is no less than the smallest of
    *    the distances that it is a mean of, less 1e-4 of an edge.
    *  - At a corner of the slave each edge is projected along its own normal.
-   *    In a concave corner of the master the node has a multiplier for each
-   *    edge: the gap of one would else make up for the other one's
-   *    penetration, and the corner sink in by as much. A corner is what
-   *    SurfaceFacet::parts_sides says.
+   *    There the node is one on each side, see Surface.
    *  - At an edge that faces the master in part or in several parts (the master
    *    has holes, or several pieces), and at nodes that carry no
    *    multiplier (excluded, or where supports hold both sides), the dual
@@ -84,32 +81,17 @@ namespace Contact
     std::vector<ContactPoint<2>>
     make_points(MultiplierSpace &multipliers) const;
 
-    /// Append the points of the edges that begin at convex corners, behind all
-    /// those of nodes: as those of class CornerSides.
-    void add_side_points(MultiplierSpace              &multipliers,
-                         std::vector<ContactPoint<2>> &points) const;
-
     /**
      * Integrate in the configuration @p u, and fill in what belongs to the
      * pairing: weight, normal, nodes and coefficients. Points whose
-     * surroundings do not face the master are marked so, and those of sides
-     * where the node has one multiplier. Returns whether a point has other
-     * unknowns than before.
+     * surroundings do not face the master are marked so. Returns whether a
+     * point has other unknowns than before.
      */
     bool pair(const ArrayView<ContactPoint<2>> &points,
               const GhostedVector              &u,
-              const PairingMode                &mode  = {},
-              const ArrayView<ContactPoint<2>> &sides = {}) const;
+              const PairingMode                &mode = {}) const;
 
   private:
-    /// The edges that begin at a kink whose node has a multiplier.
-    std::vector<unsigned int> edges_behind_kinks() const;
-
-    /// The corners whose edges face two sides of a concave corner.
-    std::set<unsigned int>
-    parted_nodes(const MortarGeometry<double>     &now,
-                 const std::vector<MortarOverlap> &overlaps) const;
-
     void fill_in(const MortarGeometry<double> &now,
                  const MortarPairing<double>  &pairing,
                  const GhostedVector          &u,
@@ -131,7 +113,6 @@ namespace Contact
     /// edges around it.
     void differentiate(MortarGeometry<WithDerivatives>  &now,
                        const std::vector<MortarOverlap> &overlaps,
-                       const std::set<unsigned int>     &parted,
                        ContactPoint<2>                  &point) const;
 
     unsigned int slave_node(const ContactPoint<2> &point) const;

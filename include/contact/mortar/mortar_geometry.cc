@@ -77,7 +77,7 @@ namespace Contact
       const unsigned int     other  = a == 0   ? edge.previous
                                       : a == 1 ? edge.next
                                                : numbers::invalid_unsigned_int;
-      if (other == numbers::invalid_unsigned_int || edge.parts_sides[a])
+      if (other == numbers::invalid_unsigned_int || edge.is_feature[a])
         return normal;
       normal += own_normal(surface, x, other, 1 - a);
       const Number size = length(normal);
@@ -158,7 +158,6 @@ namespace Contact
       find_slave_normals(e);
     for (unsigned int e = 0; e < master.facets.size(); ++e)
       find_master_normals(e);
-    find_faces_beyond();
   }
 
 

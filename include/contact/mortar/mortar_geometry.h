@@ -44,12 +44,6 @@ namespace Contact
   }
 
   template<typename Number>
-  Number cross(const Tensor<1, 2, Number> &a, const Tensor<1, 2, Number> &b)
-  {
-    return a[0] * b[1] - a[1] * b[0];
-  }
-
-  template<typename Number>
   Number length(const Tensor<1, 2, Number> &a)
   {
     using std::sqrt;
@@ -116,30 +110,6 @@ namespace Contact
                                    const unsigned int          edge,
                                    const unsigned int          a) const;
 
-    /**
-     * The part that a slave edge takes in what is between the surfaces where it
-     * faces the place @p master_xi of a master edge: one, but beside a corner
-     * of the slave whose other side is more opposite to the master there. Then
-     * it falls to zero, without a jump, at NormalCone::largest_angle, beyond
-     * which surfaces are not face to face: the side of a block that stands on
-     * the ground tilts towards it as the block bulges, and does not look at it.
-     * Of sides that are about as opposite it is that of class SlaveCorner, if
-     * that is more: the tip of a wedge looks at what it stands on.
-     *
-     * Where the face of the master ends in a concave corner, beyond which the
-     * master is more opposite to this side, it belongs to the other side if
-     * that is the more opposite one by an angle b: the part is then no more
-     * than 1 - 2 b / turn, by the turn of the slave in its corner.
-     */
-    Number part_of_side(const unsigned int slave_facet,
-                        const unsigned int master_facet,
-                        const Number      &master_xi) const;
-
-    /// By how much the slave turns between two edges that follow each other
-    /// [rad], positive where it is convex.
-    Number turn_between(const unsigned int before,
-                        const unsigned int after) const;
-
     /// The coordinate at which the line through @p x along @p n meets a master
     /// edge, perhaps beyond its ends.
     Number projection_on_edge(const Tensor<1, 2, Number> &x,
@@ -164,20 +134,6 @@ namespace Contact
     void find_symmetry_lines();
     void find_slave_normals(const unsigned int edge);
     void find_master_normals(const unsigned int edge);
-    void find_faces_beyond();
-
-    /// Whether the face of a master edge ends in a concave corner, and the one
-    /// beyond it is more opposite to the slave edge at its node @p a than by
-    /// this @p angle.
-    bool has_closer_face(const unsigned int slave_facet,
-                         const unsigned int a,
-                         const unsigned int master_facet,
-                         const double       angle) const;
-
-    // By master edge: the edge beyond the concave corner that its face begins
-    // at, and beyond the one that it ends at, with the node there, or invalid.
-    std::vector<std::array<std::pair<unsigned int, unsigned int>, 2>>
-      faces_beyond;
 
     /// The edges whose normals depend on a node.
     static std::set<unsigned int>

@@ -48,13 +48,11 @@ namespace Contact
   template<typename Number>
   MortarIntegrals<Number>::MortarIntegrals(
     const MortarGeometry<Number> &geometry,
-    const Carriers               &carries,
-    const PartedNodes            &parted)
+    const Carriers               &carries)
     : now(geometry)
     , slave(geometry.slave)
     , master(geometry.master)
     , carries(carries)
-    , parted(parted)
   {
   }
 
@@ -180,13 +178,8 @@ namespace Contact
     if (nodes.empty())
       return;
 
-    // Beside a corner the part of an edge may be zero where it is integrated.
-    const auto samples = mortar_samples(now, slave_facet, overlap);
-    if (std::all_of(samples.begin(), samples.end(), [](const auto &sample) {
-          return value_of(sample.weight) == 0;
-        }))
-      return;
-    const Table dual = dual_functions(nodes, samples);
+    const auto  samples = mortar_samples(now, slave_facet, overlap);
+    const Table dual    = dual_functions(nodes, samples);
     for (const auto &sample : samples)
       {
         const EdgeShapes<Number> shape(slave.degree, sample.xi);
@@ -212,8 +205,7 @@ namespace Contact
               }
             phi *= sample.weight;
 
-            const unsigned int side    = parted.count(node) && nodes[k] == 0;
-            OfNode            &of_node = of_nodes[{node, side}];
+            OfNode &of_node = of_nodes[node];
             of_node.weight += phi;
             for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
               of_node.slave[edge.nodes[a]] += phi * shape.value[a];
@@ -248,7 +240,7 @@ namespace Contact
           projection.value[b] * now.master_normals[sample.master_facet][b];
         // Beyond a corner is another face, or none: that it is seen, its normal
         // tells.
-        if (b == 2 || !(edge.parts_sides[b] ||
+        if (b == 2 || !(edge.is_feature[b] ||
                         (b == 0 ? edge.begins_surface : edge.ends_surface)))
           turn_square +=
             absolute(projection.value[b]) * square(master.turns[edge.nodes[b]]);
@@ -334,11 +326,10 @@ namespace Contact
 
   template<typename Number>
   MortarPairing<Number>
-  MortarIntegrals<Number>::pairing(const unsigned int node,
-                                   const unsigned int side) const
+  MortarIntegrals<Number>::pairing(const unsigned int node) const
   {
     MortarPairing<Number> pairing;
-    const auto            found = of_nodes.find({node, side});
+    const auto            found = of_nodes.find(node);
     if (found == of_nodes.end() || value_of(found->second.weight) <= 0)
       return pairing;
 

@@ -43,22 +43,16 @@ namespace Contact
     /// By edge and node, whether it carries a multiplier.
     using Carriers = std::vector<PerEdgeNode<bool>>;
 
-    /// Nodes whose two edges have a multiplier each.
-    using PartedNodes = std::set<unsigned int>;
-
     MortarIntegrals(const MortarGeometry<Number> &geometry,
-                    const Carriers               &carries,
-                    const PartedNodes            &parted);
+                    const Carriers               &carries);
 
     /// Integrate over a slave edge, for all of its nodes or for one.
     void add_edge(const unsigned int   slave_facet,
                   const MortarOverlap &overlap,
                   const unsigned int   only = numbers::invalid_unsigned_int);
 
-    /// The contact point of a node, by what was integrated; of a parted one the
-    /// side 0 is the edge that ends there, 1 the one that begins there.
-    MortarPairing<Number> pairing(const unsigned int node,
-                                  const unsigned int side) const;
+    /// The contact point of a node, by what was integrated.
+    MortarPairing<Number> pairing(const unsigned int node) const;
 
   private:
     /// Integrals over the dual function of one slave node.
@@ -118,10 +112,8 @@ namespace Contact
     const MortarGeometry<Number> &now;
     const Surface<2>             &slave, &master;
     const Carriers               &carries;
-    const PartedNodes            &parted;
 
-    // By node and side.
-    std::map<std::pair<unsigned int, unsigned int>, OfNode> of_nodes;
+    std::map<unsigned int, OfNode> of_nodes;
   };
 } // namespace Contact
 

@@ -191,8 +191,7 @@ namespace Contact
         if (std::abs(r * n) < hit.distance)
           hit = {m,
                  std::abs(r * n),
-                 direction.faces(search.normal(m, master_xi)) &&
-                   now.part_of_side(slave_facet, m, master_xi) > 0};
+                 direction.faces(search.normal(m, master_xi))};
       }
     if (!behind.faces || (ahead.faces && ahead.distance <= behind.distance))
       std::swap(ahead, behind);
@@ -232,10 +231,7 @@ namespace Contact
             segment.master_facet);
           samples.push_back(
             {xi,
-             weight * length * slave.reference_jacobian(s_edge, shape) *
-               geometry.part_of_side(slave_facet,
-                                     segment.master_facet,
-                                     master_xi),
+             weight * length * slave.reference_jacobian(s_edge, shape),
              segment.master_facet,
              master_xi});
         };

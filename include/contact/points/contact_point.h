@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
 #include <cmath>
+#include <memory>
 
 #include "contact/obstacles/obstacle.h"
 #include "contact/points/point_status.h"
@@ -56,10 +57,6 @@ namespace Contact
     // At a corner of the master: the same with both bodies exchanged in all
     // that follows, see corner_points.h.
     bool is_master_corner = false;
-
-    // At a corner of the slave, of a node that has several points: the number
-    // of its side from one on, see CornerSides; 0: the node's own.
-    unsigned int side = 0;
 
     unsigned int    slave_facet = 0; // in the slave surface
     FacetPoint<dim> slave_xi{};
@@ -197,6 +194,18 @@ namespace Contact
 
 
 
+  /// What a point that is joined to others of its node has without them, and
+  /// the number of the first of these, which acts for all: see PointFrames.
+  template<int dim>
+  struct JoinedPoint
+  {
+    PointPairing<dim> pairing;
+    double            weight = 0;
+    unsigned int      first  = numbers::invalid_unsigned_int;
+  };
+
+
+
   /**
    * The contact point, the idea that carries this program: a place on the
    * slave surface with a weight, the place on the master surface that it
@@ -234,9 +243,12 @@ namespace Contact
     // At the increment's start, which springs go on from [MPa].
     Tensor<1, dim - 1> shear_at_start;
 
-    // In space, the directions along the tangents in which other obstacles that
-    // the node is in contact with hold it. Orthonormal.
+    // In space, the directions along the tangents in which other points in
+    // contact hold the node, see PointFrames. Orthonormal.
     std::vector<Tensor<1, dim>> held_slips;
+
+    // Of a point that is joined to others; else nothing.
+    std::shared_ptr<const JoinedPoint<dim>> joined;
 
     /// The unit vectors, or what void and held slips and springs leave:
     /// orthonormal.

@@ -7,8 +7,6 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
-#include <map>
-
 namespace Contact
 {
   namespace
@@ -203,21 +201,6 @@ namespace Contact
       multipliers.of_node[i] = i;
     multipliers.n_multipliers = slave.nodes.size();
 
-    // At a corner each side has its own: one that is free would otherwise take
-    // off the pressure on the other.
-    std::map<std::pair<unsigned int, unsigned int>, unsigned int> of_side;
-    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
-      {
-        const auto sides = slave.sides_of_node(i);
-        for (unsigned int s = 1; s < sides.size(); ++s)
-          {
-            multipliers.of_sides.emplace_back(multipliers.n_multipliers, i);
-            for (const unsigned int e : sides[s])
-              of_side[{e, i}] = multipliers.n_multipliers;
-            ++multipliers.n_multipliers;
-          }
-      }
-
     const QGauss<1>              quadrature(n_points);
     std::vector<ContactPoint<2>> points;
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
@@ -233,10 +216,8 @@ namespace Contact
           point.n_multipliers = slave.n_nodes_per_facet();
           for (unsigned int a = 0; a < point.n_multipliers; ++a)
             {
-              const unsigned int i   = slave.facets[e].nodes[a];
-              const auto         own = of_side.find({e, i});
-              point.multipliers[a]   = own == of_side.end() ? i : own->second;
-              point.psi[a]           = shape.value[a];
+              point.multipliers[a] = slave.facets[e].nodes[a];
+              point.psi[a]         = shape.value[a];
             }
         }
     return points;

@@ -22,9 +22,6 @@ namespace Contact
     /// Multiplier of each slave node, or numbers::invalid_unsigned_int.
     std::vector<unsigned int> of_node;
     unsigned int              n_multipliers = 0;
-
-    /// Those of the sides of corners, and their nodes: behind the node's own.
-    std::vector<std::pair<unsigned int, unsigned int>> of_sides;
   };
 
 
@@ -53,8 +50,8 @@ namespace Contact
 
   /**
    * The Gauss-point discretization: @p n_points quadrature points per slave
-   * edge, multipliers at the nodes, at a corner one for each side, interpolated
-   * along the edge; the constraint is the weak one.
+   * edge, multipliers at the nodes, interpolated along the edge; the constraint
+   * is the weak one.
    */
   std::vector<ContactPoint<2>> make_gauss_points(const Surface<2>  &slave,
                                                  const unsigned int n_points,

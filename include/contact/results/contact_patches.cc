@@ -86,10 +86,6 @@ namespace Contact
         chains.back().end       = s[1];
         chains.back().is_closed = !edge.ends_surface;
         chain_of_edge.push_back(chains.size() - 1);
-        for (unsigned int a = 0; a < 2; ++a)
-          if (slave.sides_of_node(edge.nodes[a]).size() > 1 ||
-              (edge.parts_sides[a] && !edge.corner[a]))
-            chains.back().corners.push_back(s[a]);
       }
   }
 

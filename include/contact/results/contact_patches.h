@@ -36,9 +36,8 @@ namespace Contact
    * from the first two points that slip: where smooth bodies part, pressure
    * begins with the power 1/2 and a relative displacement with the power 3/2 of
    * the distance (K. L. Johnson, Contact Mechanics, 1985, sections 4.2
-   * and 7.2). At a corner of the slave contact ends there, unless a point
-   * beyond it touches, and so it does opposite to a corner or an end of the
-   * master.
+   * and 7.2). At the end of a side of the slave contact ends, and so it
+   * does opposite to a corner or an end of the master.
    */
   class ContactPatches
   {

@@ -11,7 +11,6 @@
 #include <sstream>
 
 #include "contact/points/corner_points.h"
-#include "contact/points/slave_corners.h"
 #include "contact/results/contact_patches.h"
 
 namespace Contact
@@ -132,31 +131,20 @@ namespace Contact
                          std::abs(now.slip[0])};
     };
 
-    // A node is in contact that is so on one of its sides.
-    std::map<types::global_dof_index, PatchSample> of_sides;
-    for (const ContactPoint<2> &point : interface.points_of(contact_pair))
-      if (point.side > 0 && point.facing && point.status.kind != Status::open)
-        of_sides.emplace(point.dofs(0)[0], sample_of(point));
-    for (const ContactPoint<2> &point : interface.points_of(contact_pair))
+    for (const ContactPoint<2> &point : interface.acting_points(contact_pair))
       {
         if (point.is_master_corner)
-          add_force(interface,
-                    point,
-                    interface.state(point, solution, u_start),
-                    moving_bound,
-                    results);
-        if (point.is_master_corner || point.side > 0)
-          continue;
+          {
+            add_force(interface,
+                      point,
+                      interface.state(point, solution, u_start),
+                      moving_bound,
+                      results);
+            continue;
+          }
         const double s = patches.arc_length(point);
         if (!point.facing || point.status.kind == Status::open)
           {
-            if (const auto side = of_sides.find(point.dofs(0)[0]);
-                side != of_sides.end())
-              {
-                side->second.s = s;
-                patches.add(point, side->second);
-                continue;
-              }
             // On an axis at degree 2 a force does no work on the rest, and
             // round-off opens a point: contact goes on to it.
             if (contact_pair.slave.degree == 1 ||
@@ -186,7 +174,7 @@ namespace Contact
   {
     ContactResults results;
     Tensor<1, 3>   shear;
-    for (const ContactPoint<3> &point : interface.points_of(contact_pair))
+    for (const ContactPoint<3> &point : interface.acting_points(contact_pair))
       {
         if (!point.facing || point.status.kind == Status::open)
           continue;
@@ -213,17 +201,11 @@ namespace Contact
   template<int dim>
   unsigned int multiplier_at(const ContactInterface<dim> &interface,
                              const ContactPair<dim>      &contact_pair,
-                             const unsigned int           node,
-                             const GhostedVector         &solution)
+                             const unsigned int           node)
   {
-    unsigned int found = contact_pair.multipliers.of_node[node];
-    if (contact_pair.has_point_per_multiplier() && !contact_pair.is_mortar())
-      return found;
-    for (const auto &[k, n] : contact_pair.multipliers.of_sides)
-      if (n == node && solution[interface.normal_index(k)] >
-                         solution[interface.normal_index(found)])
-        found = k;
-    return found;
+    const unsigned int k = contact_pair.multipliers.of_node[node];
+    return k == numbers::invalid_unsigned_int ? k
+                                              : interface.acting_multiplier(k);
   }
 
 
@@ -234,12 +216,10 @@ namespace Contact
                      const unsigned int           node,
                      const GhostedVector         &solution)
   {
-    const unsigned int k =
-      multiplier_at(interface, contact_pair, node, solution);
-    const bool is_of_side = k != contact_pair.multipliers.of_node[node];
-    return contact_pair.has_point_per_multiplier() && !is_of_side
+    return contact_pair.has_point_per_multiplier()
              ? interface.pressure(contact_pair.pressure_at(node), solution)
-             : solution[interface.normal_index(k)];
+             : solution[interface.normal_index(
+                 contact_pair.multipliers.of_node[node])];
   }
 
 
@@ -269,17 +249,15 @@ namespace Contact
       return {};
     MultiplierSpace numbering;
     const auto      own = make_nodal_points(contact_pair.slave, {}, numbering);
-    const auto      corners = find_corners(contact_pair.slave, numbering, own);
-    const auto      normals = contact_pair.slave.facet_normals(solution);
-    const Surface<2>       &slave = contact_pair.slave;
-    std::vector<CornerLoad> loads;
-    std::map<types::global_dof_index, const ContactPoint<2> *> in_contact;
+    const Surface<2>                               &slave = contact_pair.slave;
+    std::vector<CornerLoad>                         loads;
+    std::map<unsigned int, const ContactPoint<2> *> in_contact;
     for (unsigned int n = 0; n < slave.nodes.size(); ++n)
       loads.push_back({Tensor<1, 2>(), own[numbering.of_node[n]].weight});
     for (const ContactPoint<2> &point : interface.points_of(contact_pair))
-      if (!point.is_master_corner && point.side == 0 && point.facing &&
+      if (!point.is_master_corner && point.facing &&
           point.status.kind != Status::open)
-        in_contact[point.dofs(0)[0]] = &point;
+        in_contact[point.multipliers[0]] = &point;
 
     for (const ContactPoint<2> &point : interface.points_of(contact_pair))
       if (point.is_master_corner && point.facing)
@@ -293,15 +271,12 @@ namespace Contact
           for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
             {
               const unsigned int n = slave.facets[point.master_facet].nodes[a];
-              const auto found     = in_contact.find(slave.nodes[n].dofs[0]);
+              const auto         found =
+                in_contact.find(contact_pair.multipliers.of_node[n]);
               const Tensor<1, 2> normal  = found == in_contact.end()
                                              ? -point.normal
                                              : found->second->normal;
               const Tensor<1, 2> on_node = -parts[a] * force;
-              for (const SlaveCorner &corner : corners)
-                if (corner.node == n)
-                  loads[n].weight =
-                    corner.weight_towards(-point.normal, normals);
               loads[n].force +=
                 Tensor<1, 2>({on_node * normal,
                               on_node[1] * normal[0] - on_node[0] * normal[1]});
@@ -416,12 +391,10 @@ namespace Contact
 
   template unsigned int  multiplier_at(const ContactInterface<2> &,
                                        const ContactPair<2> &,
-                                       const unsigned int,
-                                       const GhostedVector &);
+                                       const unsigned int);
   template unsigned int  multiplier_at(const ContactInterface<3> &,
                                        const ContactPair<3> &,
-                                       const unsigned int,
-                                       const GhostedVector &);
+                                       const unsigned int);
   template double        pressure_at(const ContactInterface<2> &,
                                      const ContactPair<2> &,
                                      const unsigned int,

@@ -61,13 +61,12 @@ namespace Contact
                                const GhostedVector         &u_start,
                                const bool                   moving_bound);
 
-  /// The multiplier at a node of the slave, or numbers::invalid_unsigned_int:
-  /// where each side of a corner has its own, that of the largest pressure.
+  /// The multiplier that is the pressure at a node of the slave, or
+  /// numbers::invalid_unsigned_int.
   template<int dim>
   unsigned int multiplier_at(const ContactInterface<dim> &interface,
                              const ContactPair<dim>      &contact_pair,
-                             const unsigned int           node,
-                             const GhostedVector         &solution);
+                             const unsigned int           node);
 
   /// The pressure there [MPa]; zero where there is none.
   template<int dim>
@@ -80,7 +79,7 @@ namespace Contact
    * The load of the points at corners of the master on a node of the slave: the
    * force along normal and tangent of the node's own point, to be added to the
    * force of that point [N per mm], and the integral of the node's shape
-   * function, over which it is spread [mm]: see SlaveCorner.
+   * function, over which it is spread [mm].
    */
   struct CornerLoad
   {

@@ -9,6 +9,8 @@
 #include <boost/container/small_vector.hpp>
 #include <cmath>
 
+#include "contact/surfaces/surface.h"
+
 namespace Contact
 {
   namespace
@@ -22,13 +24,6 @@ namespace Contact
     double cross(const Point<2> &o, const Point<2> &a, const Point<2> &b)
     {
       return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
-    }
-
-
-
-    double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
-    {
-      return a[0] * b[1] - a[1] * b[0];
     }
 
 

@@ -10,20 +10,12 @@
 
 namespace Contact
 {
-  namespace
-  {
-    const double smallest_cosine =
-      std::cos(NormalCone<2>::largest_angle * numbers::PI / 180);
-  } // namespace
-
-
-
   bool NormalCone<3>::faces(const Tensor<1, 3> &normal) const
   {
     double largest = -1;
     for (const Tensor<1, 3> &n : normals)
       largest = std::max(largest, -(normal * n));
-    return largest >= smallest_cosine &&
+    return largest >= NormalCone<2>::smallest_cosine() &&
            std::none_of(others.begin(), others.end(), [&](const auto &n) {
              return -(normal * n) > largest;
            });
@@ -34,7 +26,7 @@ namespace Contact
   bool NormalCone<3>::is_beside(const Tensor<1, 3> &normal) const
   {
     return std::any_of(normals.begin(), normals.end(), [&](const auto &n) {
-      return -(normal * n) > -smallest_cosine;
+      return -(normal * n) > -NormalCone<2>::smallest_cosine();
     });
   }
 

@@ -193,7 +193,8 @@ namespace Contact
   template<int dim>
   Surface<dim>::Surface(const Discretization<dim>          &discretization,
                         const std::set<types::boundary_id> &boundary_ids,
-                        const std::string                  &name)
+                        const std::string                  &name,
+                        const SurfaceCut                    cut)
     : degree(discretization.degree)
     , discretization(discretization)
   {
@@ -205,6 +206,8 @@ namespace Contact
                        std::string("name a boundary group of the mesh that ") +
                          "has " + (dim == 2 ? "lines" : "surfaces"));
     arrange();
+    if (cut == SurfaceCut::into_sides)
+      cut_into_sides();
     find_parted();
   }
 
@@ -344,45 +347,89 @@ namespace Contact
 
 
 
-  namespace
+  template<int dim>
+  void Surface<dim>::collect_facets_of_nodes()
   {
-    bool is_on_curve(const Surface<2> &surface, const unsigned int node)
-    {
-      const auto &edges = surface.facets_of_node[node];
-      return std::any_of(edges.begin(), edges.end(), [&](const auto e) {
-        return surface.facets[e].nodes[0] == node &&
-               std::abs(surface.turn_of_curves(e)) <=
-                 numbers::PI / 180 * Surface<2>::feature_angle;
-      });
-    }
-
-    bool is_on_curve(const Surface<3> &, const unsigned int)
-    {
-      return false;
-    }
-  } // namespace
+    facets_of_node.assign(nodes.size(), {});
+    for (unsigned int e = 0; e < facets.size(); ++e)
+      for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+        facets_of_node[facets[e].nodes[a]].push_back(e);
+  }
 
 
 
   template<int dim>
-  std::vector<std::vector<unsigned int>>
-  Surface<dim>::sides_of_node(const unsigned int node) const
+  void Surface<dim>::cut_into_sides()
   {
-    if (is_on_curve(*this, node))
-      return {facets_of_node[node]};
-    std::vector<std::vector<unsigned int>> sides;
-    for (const unsigned int e : facets_of_node[node])
-      if (std::none_of(sides.begin(), sides.end(), [&](const auto &side) {
-            return std::find(side.begin(), side.end(), e) != side.end();
-          }))
-        {
-          const auto &nodes = facets[e].nodes;
-          sides.push_back(
-            smooth_around(e,
-                          std::find(nodes.begin(), nodes.end(), node) -
-                            nodes.begin()));
-        }
-    return sides;
+    copy_nodes_of_sides();
+    cut_links();
+    collect_facets_of_nodes();
+  }
+
+
+
+  // The first side of a node keeps its number. A hanging node follows the nodes
+  // of its own side: those on the facets around it, or on facets beside these.
+  template<int dim>
+  void Surface<dim>::copy_nodes_of_sides()
+  {
+    const unsigned int n_nodes = nodes.size();
+    // By surface node, the mesh node and the facets of the side.
+    std::vector<unsigned int>              original(n_nodes);
+    std::vector<std::vector<unsigned int>> side_of(n_nodes);
+    std::iota(original.begin(), original.end(), 0);
+    auto new_facets = facets;
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      {
+        std::set<unsigned int> done;
+        for (const unsigned int e : facets_of_node[i])
+          {
+            if (done.count(e) > 0)
+              continue;
+            const auto number_in = [&](const unsigned int facet) {
+              const auto &of_facet = facets[facet].nodes;
+              return std::find(of_facet.begin(), of_facet.end(), i) -
+                     of_facet.begin();
+            };
+            const auto         side = same_side(e, number_in(e));
+            const unsigned int copy = done.empty() ? i : nodes.size();
+            if (copy != i)
+              {
+                nodes.push_back(nodes[i]);
+                original.push_back(i);
+                side_of.emplace_back();
+              }
+            side_of[copy] = side;
+            done.insert(side.begin(), side.end());
+            for (const unsigned int facet : side)
+              new_facets[facet].nodes[number_in(facet)] = copy;
+          }
+      }
+
+    std::vector<std::vector<unsigned int>> copies(n_nodes);
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      copies[original[i]].push_back(i);
+    leaders.resize(nodes.size());
+    for (unsigned int i = nodes.size(); i-- > 0;)
+      {
+        leaders[i] = leaders[original[i]];
+        std::set<unsigned int> near(side_of[i].begin(), side_of[i].end());
+        for (const unsigned int e : side_of[i])
+          for (const unsigned int a : {0, 1, 2, 3})
+            if (a < GeometryInfo<dim - 1>::vertices_per_cell)
+              for (const unsigned int other : same_side(e, a))
+                near.insert(other);
+        for (Part &leader : leaders[i])
+          for (const unsigned int copy : copies[leader.first])
+            if (std::any_of(side_of[copy].begin(),
+                            side_of[copy].end(),
+                            [&](const auto e) { return near.count(e) > 0; }))
+              {
+                leader.first = copy;
+                break;
+              }
+      }
+    facets = std::move(new_facets);
   }
 
 

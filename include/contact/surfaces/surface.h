@@ -221,9 +221,10 @@ namespace Contact
     /// Corners at the first and the last node.
     std::array<bool, 2> corner{{false, false}};
 
-    /// Corners, and kinks from half of Surface::feature_angle on that stand
-    /// alone: those of a curve that the mesh has drawn as a polygon do not.
-    std::array<bool, 2> parts_sides{{false, false}};
+    /// Feature nodes: corners, and kinks from half of Surface::feature_angle on
+    /// that stand alone. Those of a curve that the mesh has drawn as a polygon
+    /// do not.
+    std::array<bool, 2> is_feature{{false, false}};
 
     /// A face ends where the surface ends, and at convex corners: beyond
     /// them nothing faces it.
@@ -255,8 +256,25 @@ namespace Contact
 
 
 
-  /// A boundary of the bodies: in the plane a chain of straight or parabolic
-  /// edges, in space quadrangles, bilinear or of degree 2.
+  /// The manner in which a surface is read: as it is, or cut into smooth sides.
+  enum class SurfaceCut
+  {
+    none,
+    into_sides
+  };
+
+
+
+  /**
+   * A boundary of the bodies: in the plane a chain of straight or parabolic
+   * edges, in space quadrangles, bilinear or of degree 2.
+   *
+   * A slave is cut into smooth sides at its feature nodes and corners. A mesh
+   * node there is a surface node on each of its sides: it has the same unknowns
+   * on all of them, but a normal, a dual function, a weight and a multiplier on
+   * each. Facets of different sides are no neighbors, and a side ends where it
+   * is cut.
+   */
   template<int dim>
   class Surface
   {
@@ -281,7 +299,8 @@ namespace Contact
     /// Throws InputError if there is no facet.
     Surface(const Discretization<dim>          &discretization,
             const std::set<types::boundary_id> &boundary_ids,
-            const std::string                  &name);
+            const std::string                  &name,
+            const SurfaceCut                    cut = SurfaceCut::none);
 
     /// Those of the discretization.
     Counters &counters() const
@@ -295,11 +314,6 @@ namespace Contact
 
     /// The facets that meet at each node.
     std::vector<std::vector<unsigned int>> facets_of_node;
-
-    /// The same of one node by the sides that corners part. One side where
-    /// edges stand for one curve, by however large an angle they meet.
-    std::vector<std::vector<unsigned int>>
-    sides_of_node(const unsigned int node) const;
 
     /// A node and its part in another one.
     using Part = std::pair<unsigned int, double>;
@@ -342,6 +356,13 @@ namespace Contact
     /// of those of the facets that meet there.
     std::vector<Tensor<1, dim>> normals(const GhostedVector &u) const;
 
+    /// The same at one node.
+    Tensor<1, dim> normal_at(const unsigned int   node,
+                             const GhostedVector &u) const
+    {
+      return mean_normal(node, facets_of_node[node], u);
+    }
+
     /// The same by facet: at corners the normal of the facets on its side
     /// alone.
     FacetNormals<dim> facet_normals(const GhostedVector &u) const;
@@ -376,16 +397,27 @@ namespace Contact
     /// (surface_sides.cc).
     void arrange();
 
+    void collect_facets_of_nodes();
     void chain_edges();
     void renumber_nodes();
     void link_edges();
     void find_corners();
-    void find_lone_kinks();
+    void find_features();
     void find_parted();
     void measure_turns();
 
     void link_sides();
     void link_halves_of_sides();
+
+    /// Cut the surface into its smooth sides: the nodes, and what is different
+    /// in the plane and in space, the links of the facets.
+    void cut_into_sides();
+    void copy_nodes_of_sides();
+    void cut_links();
+
+    /// The facets around a node of a facet that are on the same side.
+    std::vector<unsigned int> same_side(const unsigned int facet,
+                                        const unsigned int a) const;
 
     /// The outward unit normal at a node by some of the facets around it.
     Tensor<1, dim> mean_normal(const unsigned int               node,
@@ -423,11 +455,27 @@ namespace Contact
   Surface<3>::smooth_around(const unsigned int facet,
                             const unsigned int a) const;
   template<>
+  std::vector<unsigned int> Surface<2>::same_side(const unsigned int edge,
+                                                  const unsigned int a) const;
+  template<>
+  std::vector<unsigned int> Surface<3>::same_side(const unsigned int facet,
+                                                  const unsigned int a) const;
+  template<>
+  void Surface<2>::cut_links();
+  template<>
+  void Surface<3>::cut_links();
+  template<>
   double Surface<2>::reference_length(const unsigned int edge) const;
   template<>
   double Surface<3>::reference_length(const unsigned int facet) const;
 
 
+
+  template<typename Number>
+  Number cross(const Tensor<1, 2, Number> &a, const Tensor<1, 2, Number> &b)
+  {
+    return a[0] * b[1] - a[1] * b[0];
+  }
 
   /// A vector along the outward normal, as long as the measure of the facet per
   /// unit of its coordinates, from the tangents along these.

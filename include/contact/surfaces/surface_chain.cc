@@ -113,13 +113,9 @@ namespace Contact
   void Surface<2>::link_edges()
   {
     std::map<unsigned int, unsigned int> begins_at;
-    facets_of_node.resize(nodes.size());
     for (unsigned int e = 0; e < facets.size(); ++e)
-      {
-        begins_at[facets[e].nodes[0]] = e;
-        for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
-          facets_of_node[facets[e].nodes[a]].push_back(e);
-      }
+      begins_at[facets[e].nodes[0]] = e;
+    collect_facets_of_nodes();
     for (unsigned int e = 0; e < facets.size(); ++e)
       if (!facets[e].ends_surface)
         {
@@ -158,7 +154,7 @@ namespace Contact
   // together, on longer arcs every kink turns by less. Beside an end of the
   // surface nothing is known of how it goes on.
   template<>
-  void Surface<2>::find_lone_kinks()
+  void Surface<2>::find_features()
   {
     const auto turn_at = [this](const unsigned int e) {
       return e == numbers::invalid_unsigned_int ||
@@ -177,7 +173,7 @@ namespace Contact
         const bool   is_alone =
           turn > numbers::PI / 360 * feature_angle &&
           turn_at(edge.previous) + turn_at(edge.next) < turn / 2;
-        facets[edge.previous].parts_sides[1] = edge.parts_sides[0] =
+        facets[edge.previous].is_feature[1] = edge.is_feature[0] =
           edge.corner[0] || is_alone;
       }
   }
@@ -230,6 +226,42 @@ namespace Contact
 
 
 
+  // Edges stand for one curve where that turns by less than they do, however
+  // few of them draw it.
+  template<>
+  std::vector<unsigned int> Surface<2>::same_side(const unsigned int e,
+                                                  const unsigned int a) const
+  {
+    const unsigned int node = facets[e].nodes[a];
+    const unsigned int next =
+      a == 0 ? e : (a == 1 ? facets[e].next : numbers::invalid_unsigned_int);
+    const bool is_cut =
+      a < 2 && facets[e].is_feature[a] &&
+      next != numbers::invalid_unsigned_int &&
+      (!facets[e].corner[a] ||
+       std::abs(turn_of_curves(next)) > numbers::PI / 180 * feature_angle);
+    return is_cut ? std::vector<unsigned int>{e} : facets_of_node[node];
+  }
+
+
+
+  // The chain goes on in the same order, and ends at each cut.
+  template<>
+  void Surface<2>::cut_links()
+  {
+    for (SurfaceFacet<2> &edge : facets)
+      {
+        edge.previous = edge.next = numbers::invalid_unsigned_int;
+        edge.begins_face = edge.ends_face = false;
+        edge.corner = edge.is_feature = {{false, false}};
+      }
+    arrange();
+    for (SurfaceFacet<2> &edge : facets)
+      edge.corner = edge.is_feature = {{false, false}};
+  }
+
+
+
   template<>
   void Surface<2>::arrange()
   {
@@ -237,7 +269,7 @@ namespace Contact
     renumber_nodes();
     link_edges();
     find_corners();
-    find_lone_kinks();
+    find_features();
     measure_turns();
   }
 

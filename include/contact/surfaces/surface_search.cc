@@ -11,26 +11,13 @@
 
 namespace Contact
 {
-  namespace
-  {
-    const double smallest_cosine =
-      std::cos(NormalCone<2>::largest_angle * numbers::PI / 180);
-
-    double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
-    {
-      return a[0] * b[1] - a[1] * b[0];
-    }
-  } // namespace
-
-
-
   bool NormalCone<2>::faces(const Tensor<1, 2> &normal) const
   {
     const Tensor<1, 2> to = -normal;
     for (const Tensor<1, 2> &other : others)
       if (to * other > std::max(to * first, to * last))
         return false;
-    return to * first >= smallest_cosine || to * last >= smallest_cosine ||
+    return to * first >= smallest_cosine() || to * last >= smallest_cosine() ||
            (cross(first, to) > 0 && cross(to, last) > 0 &&
             cross(first, last) > 0);
   }
@@ -39,7 +26,7 @@ namespace Contact
 
   bool NormalCone<2>::is_beside(const Tensor<1, 2> &normal) const
   {
-    return std::max(-normal * first, -normal * last) > -smallest_cosine;
+    return std::max(-normal * first, -normal * last) > -smallest_cosine();
   }
 
 

@@ -43,8 +43,8 @@ namespace Contact
     /// a face beside it counts if none is opposite.
     bool at_end = false;
 
-    /// Where other points look from the same place: a face that is more
-    /// opposite to one of these normals is theirs. See CornerSides.
+    /// The normals of other sides that meet there: a face that is more opposite
+    /// to one of them is theirs.
     std::vector<Tensor<1, 2>> others{};
 
     /// The distance beyond the end of a face up to which it looks [mm].
@@ -59,6 +59,11 @@ namespace Contact
      * 1/cos, here 3.9.)
      */
     static constexpr double largest_angle = 75;
+
+    static double smallest_cosine()
+    {
+      return std::cos(largest_angle * numbers::PI / 180);
+    }
 
     /// Whether a facet of this outward normal is face to face.
     bool faces(const Tensor<1, 2> &normal) const;

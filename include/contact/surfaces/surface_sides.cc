@@ -134,12 +134,33 @@ namespace Contact
   template<>
   void Surface<3>::arrange()
   {
-    facets_of_node.resize(nodes.size());
-    for (unsigned int e = 0; e < facets.size(); ++e)
-      for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
-        facets_of_node[facets[e].nodes[a]].push_back(e);
+    collect_facets_of_nodes();
     link_sides();
     find_corners();
+  }
+
+
+
+  template<>
+  std::vector<unsigned int> Surface<3>::same_side(const unsigned int facet,
+                                                  const unsigned int a) const
+  {
+    return smooth_around(facet, a);
+  }
+
+
+
+  template<>
+  void Surface<3>::cut_links()
+  {
+    for (SurfaceFacet<3> &facet : facets)
+      for (unsigned int s = 0; s < 4; ++s)
+        if (facet.corner[s])
+          {
+            facet.neighbors[s] = numbers::invalid_unsigned_int;
+            facet.corner[s]    = false;
+            facet.ends_face[s] = true;
+          }
   }
 
 

@@ -101,16 +101,15 @@ namespace Contact
                        const GhostedVector         &u_start,
                        const bool                   moving_bound)
   {
-    std::vector<ContactPoint<dim>> closest = interface.points();
-    PairingMisfit                  found;
+    const std::vector<ContactPoint<dim>> closest =
+      interface.paired_anew(solution);
+    PairingMisfit found;
     for (const auto &contact_pair : interface.pairs)
       {
         if (contact_pair->tied)
           continue;
         const unsigned int first = contact_pair->first_point,
                            n     = contact_pair->n_points;
-        contact_pair->pair({closest.data() + first, n}, solution, {});
-
         double forces = 0, couples = 0, unheld = 0;
         for (unsigned int k = first; k < first + n; ++k)
           {

@@ -156,7 +156,7 @@ namespace Contact
                                                  ? 0.
                                                  : z[tractions[i].q]}),
                                  problem.bound_moves());
-    problem.release_in_corners();
+    problem.release_held();
     corrected = problem.solve_changes(update);
     return true;
   }
@@ -195,7 +195,7 @@ namespace Contact
                                    point.p_after(update),
                                    Tensor<1, 1>({point.q_after(update)}),
                                    problem.bound_moves());
-        if (interface.is_held_in_corner(q, [&](const unsigned int other) {
+        if (interface.is_held_by_others(q, [&](const unsigned int other) {
               return other == q ? status : problem.points[other].status;
             }))
           status = {Status::slip, 0};
@@ -207,7 +207,7 @@ namespace Contact
         if (!problem.bound_moves() && status.kind == Status::open)
           interface.reset_bound(q);
       }
-    problem.release_in_corners();
+    problem.release_held();
     return changed;
   }
 

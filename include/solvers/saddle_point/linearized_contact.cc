@@ -83,10 +83,10 @@ namespace Contact
 
 
 
-  void LinearizedContact::release_in_corners()
+  void LinearizedContact::release_held()
   {
     for (unsigned int q = 0; q < points.size(); ++q)
-      if (interface.is_held_in_corner(q, [this](const unsigned int point) {
+      if (interface.is_held_by_others(q, [this](const unsigned int point) {
             return points[point].status;
           }))
         {

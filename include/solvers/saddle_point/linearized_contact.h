@@ -95,8 +95,8 @@ namespace Contact
       return linearization.moving_bound && !bounds_are_frozen;
     }
 
-    /// Release what ContactInterface::is_held_in_corner() finds.
-    void release_in_corners();
+    /// Release what ContactInterface::is_held_by_others() finds.
+    void release_held();
 
     /// The statuses of all points, to be compared.
     std::vector<signed char> signature() const;

@@ -1,0 +1,433 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/interface/point_frames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace Contact
+{
+  namespace
+  {
+    /// The node of the slave that a point belongs to.
+    template<int dim>
+    unsigned int slave_node(const ContactPoint<dim> &point,
+                            const Surface<dim>      &slave)
+    {
+      for (const unsigned int i : slave.facets[point.slave_facet].nodes)
+        if (slave.nodes[i].dofs == point.dofs(0))
+          return i;
+      AssertThrow(false, ExcInternalError());
+      return 0;
+    }
+
+
+
+    /// The names of the slave's facets around the node of a point.
+    template<int dim>
+    std::set<FacetName<dim>> facets_around(const ContactPoint<dim> &point,
+                                           const Surface<dim>      &slave)
+    {
+      std::set<FacetName<dim>> names;
+      for (const unsigned int e :
+           slave.facets_of_node[slave_node(point, slave)])
+        names.insert(slave.facets[e].name);
+      return names;
+    }
+
+
+
+    /// The connected part of the mesh that a point faces; all obstacles are
+    /// one.
+    template<int dim>
+    unsigned int part_of_master(const ContactPoint<dim>           &point,
+                                const std::optional<Surface<dim>> &master)
+    {
+      if (!master)
+        return numbers::invalid_unsigned_int;
+      if (point.n_nodes == point.n_slave_nodes)
+        return master->facets[0].part;
+      const unsigned int node =
+        point.nodes[point.n_slave_nodes] - master->nodes.data();
+      return master->facets[master->facets_of_node[node].front()].part;
+    }
+
+
+
+    template<int dim>
+    bool is_same(const FrictionLaw &a, const FrictionLaw &b)
+    {
+      return a.tresca_limit == b.tresca_limit &&
+             a.coulomb_coefficient == b.coulomb_coefficient;
+    }
+  } // namespace
+
+
+
+  // Corners of the master belong to nodes of the other body, and a point of
+  // the Gauss-point discretization to no node.
+  template<int dim>
+  PointFrames<dim>::PointFrames(const std::vector<ContactPoint<dim>> &points,
+                                const Pairs                          &pairs)
+    : pairs(&pairs)
+  {
+    std::map<NodeDoFs<dim>, std::vector<unsigned int>> of_nodes;
+    for (unsigned int q = 0; q < points.size(); ++q)
+      if (!points[q].is_master_corner && points[q].n_multipliers == 1)
+        of_nodes[points[q].dofs(0)].push_back(q);
+    for (const auto &[dofs, of_node] : of_nodes)
+      if (of_node.size() > 1)
+        {
+          at_nodes.push_back(of_node);
+          for (const unsigned int q : of_node)
+            {
+              point_of_multiplier[points[q].multipliers[0]] = q;
+              for (const unsigned int other : of_node)
+                if (other != q)
+                  others_at_node[q].push_back(other);
+            }
+        }
+  }
+
+
+
+  template<int dim>
+  bool PointFrames<dim>::have_common_facets(const ContactPoint<dim> &a,
+                                            const ContactPoint<dim> &b) const
+  {
+    const auto of_a = facets_around(a, (*pairs)[a.contact_pair]->slave);
+    const auto of_b = facets_around(b, (*pairs)[b.contact_pair]->slave);
+    return std::any_of(of_a.begin(), of_a.end(), [&](const auto &name) {
+      return of_b.count(name) > 0;
+    });
+  }
+
+
+
+  template<int dim>
+  void PointFrames<dim>::find_other_sides(
+    const std::vector<ContactPoint<dim>>  &points,
+    const std::vector<ContactPair<dim> *> &to) const
+  {
+    for (const auto &[q, others] : others_at_node)
+      for (const unsigned int other : others)
+        if (!have_common_facets(points[q], points[other]))
+          {
+            ContactPair<dim>   &own = *to[points[q].contact_pair];
+            const Surface<dim> &next =
+              (*pairs)[points[other].contact_pair]->slave;
+            own.other_sides[slave_node(points[q], own.slave)]
+              .emplace_back(&next, slave_node(points[other], next));
+          }
+  }
+
+
+
+  template<int dim>
+  typename PointFrames<dim>::Joined
+  PointFrames<dim>::part(std::vector<ContactPoint<dim>> &points) const
+  {
+    Joined joined;
+    for (const auto &[q, others] : others_at_node)
+      if (points[q].joined)
+        {
+          joined[q] = points[q].joined->first;
+          static_cast<PointPairing<dim> &>(points[q]) =
+            points[q].joined->pairing;
+          points[q].weight = points[q].joined->weight;
+          points[q].joined.reset();
+        }
+    return joined;
+  }
+
+
+
+  template<int dim>
+  bool PointFrames<dim>::are_on_one_body(const ContactPoint<dim> &a,
+                                         const ContactPoint<dim> &b) const
+  {
+    return part_of_master(a, (*pairs)[a.contact_pair]->master) ==
+           part_of_master(b, (*pairs)[b.contact_pair]->master);
+  }
+
+
+
+  template<int dim>
+  bool PointFrames<dim>::see_one_surface(const ContactPoint<dim> &a,
+                                         const ContactPoint<dim> &b) const
+  {
+    const ContactPair<dim> &of_a   = *(*pairs)[a.contact_pair];
+    const ContactPair<dim> &of_b   = *(*pairs)[b.contact_pair];
+    const auto              simple = [](const ContactPair<dim> &of) {
+      return of.master && !of.interference->at && of.free_motions.empty();
+    };
+    const double cosine =
+      std::cos(numbers::PI / 180 * Surface<dim>::feature_angle);
+    return a.normal * b.normal > cosine && are_on_one_body(a, b) &&
+           (&of_a == &of_b || (simple(of_a) && simple(of_b) &&
+                               of_a.is_mortar() == of_b.is_mortar() &&
+                               is_same<dim>(of_a.law, of_b.law)));
+  }
+
+
+
+  template<int dim>
+  typename PointFrames<dim>::Joined
+  PointFrames<dim>::join(std::vector<ContactPoint<dim>> &points) const
+  {
+    const auto keep_own = [&](const unsigned int q, const unsigned int first) {
+      points[q].joined = std::make_shared<const JoinedPoint<dim>>(
+        JoinedPoint<dim>{points[q], points[q].weight, first});
+    };
+    for (const auto &of_node : at_nodes)
+      {
+        std::vector<unsigned int> glued, free;
+        for (const unsigned int q : of_node)
+          if (points[q].facing)
+            ((*pairs)[points[q].contact_pair]->tied ? glued : free)
+              .push_back(q);
+        const auto is_glued = [&](const unsigned int q) {
+          return std::any_of(glued.begin(), glued.end(), [&](const auto g) {
+            return are_on_one_body(points[q], points[g]);
+          });
+        };
+        for (const unsigned int q : free)
+          if (is_glued(q))
+            {
+              keep_own(q, q);
+              points[q].facing = false;
+              points[q].status = PointStatus<dim>();
+            }
+        while (!free.empty())
+          {
+            std::vector<unsigned int> joined, rest;
+            for (const unsigned int q : free)
+              if (points[q].facing)
+                (joined.empty() || see_one_surface(points[joined[0]], points[q])
+                   ? joined
+                   : rest)
+                  .push_back(q);
+            if (joined.size() > 1)
+              {
+                for (const unsigned int q : joined)
+                  keep_own(q, joined[0]);
+                join_to_first(joined, points);
+              }
+            free = rest;
+          }
+      }
+    Joined joined;
+    for (const auto &[q, others] : others_at_node)
+      if (points[q].joined)
+        joined[q] = points[q].joined->first;
+    return joined;
+  }
+
+
+
+  template<int dim>
+  void
+  PointFrames<dim>::join_to_first(const std::vector<unsigned int> &joined,
+                                  std::vector<ContactPoint<dim>>  &points) const
+  {
+    ContactPoint<dim> &first = points[joined[0]];
+    if ((*pairs)[first.contact_pair]->is_mortar() &&
+        (*pairs)[first.contact_pair]->master)
+      {
+        join_changes(joined, points);
+        join_rows(joined, points);
+      }
+    else
+      for (const unsigned int q : joined)
+        if (!have_common_facets(first, points[q]))
+          first.weight += points[q].weight;
+
+    for (const unsigned int q : joined)
+      if (q != joined[0])
+        {
+          if (first.status.kind == Status::open)
+            first.status = points[q].status;
+          points[q].facing = false;
+          points[q].status = PointStatus<dim>();
+          points[q].change = PairingChange<dim>();
+        }
+  }
+
+
+
+  template<int dim>
+  void PointFrames<dim>::join_rows(const std::vector<unsigned int> &joined,
+                                   std::vector<ContactPoint<dim>> &points) const
+  {
+    ContactPoint<dim> &first  = points[joined[0]];
+    double             weight = 0;
+    for (const unsigned int q : joined)
+      weight += points[q].weight;
+
+    // By slave and master: the node with the multiplier first, then the others
+    // in the order of the points.
+    using Node = const SurfaceNode<dim> *;
+    std::array<std::vector<std::pair<Node, double>>, 2> rows;
+    Tensor<1, dim>                                      normal;
+    Point<dim>                                          projection;
+    for (const unsigned int q : joined)
+      {
+        const ContactPoint<dim> &point = points[q];
+        const double             part  = point.weight / weight;
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          {
+            auto      &row = rows[a < point.n_slave_nodes ? 0 : 1];
+            const auto found =
+              std::find_if(row.begin(), row.end(), [&](const auto &entry) {
+                return entry.first->dofs == point.dofs(a);
+              });
+            if (found == row.end())
+              row.emplace_back(point.nodes[a], part * point.C[a]);
+            else
+              found->second += part * point.C[a];
+          }
+        normal += part * point.normal;
+        projection += part * Tensor<1, dim>(point.projection);
+      }
+
+    first.keep_nodes(0);
+    for (const auto &[node, c] : rows[0])
+      first.add_node(*node, c);
+    first.n_slave_nodes = first.n_nodes;
+    for (const auto &[node, c] : rows[1])
+      first.add_node(*node, c);
+    first.weight     = weight;
+    first.normal     = normal / normal.norm();
+    first.projection = projection;
+    set_tangents(first);
+  }
+
+
+
+  // Of C = sum w_i C_i / sum w_i, and of all other means alike. A process may
+  // have the changes of some of the points: their sum over the processes is
+  // that of all.
+  template<int dim>
+  void
+  PointFrames<dim>::join_changes(const std::vector<unsigned int> &joined,
+                                 std::vector<ContactPoint<dim>>  &points) const
+  {
+    ContactPoint<dim> &first = points[joined[0]];
+    if (std::all_of(joined.begin(), joined.end(), [&](const auto q) {
+          return points[q].change.dofs.empty();
+        }))
+      return;
+
+    double weight = 0;
+    for (const unsigned int q : joined)
+      weight += points[q].weight;
+    ContactPoint<dim> mean = first;
+    join_rows(joined, points); // the order of the nodes
+    std::swap(mean, first);
+
+    PairingChange<dim> sum;
+    for (const unsigned int q : joined)
+      for (const auto dof : points[q].change.dofs)
+        if (std::find(sum.dofs.begin(), sum.dofs.end(), dof) == sum.dofs.end())
+          sum.dofs.push_back(dof);
+    const unsigned int n = sum.dofs.size();
+    sum.C.reinit(mean.n_nodes, n);
+    sum.turn.resize(n);
+    sum.slide.resize(dim == 3 ? mean.n_nodes : 0);
+    sum.weight.resize(dim == 2 ? n : 0);
+    sum.projection.resize(dim == 2 ? n : 0);
+    for (const unsigned int q : joined)
+      {
+        const ContactPoint<dim>  &point  = points[q];
+        const PairingChange<dim> &change = point.change;
+        const double              part   = point.weight / weight;
+        const double              offset =
+          (point.projection - mean.projection) * mean.normal;
+        std::vector<unsigned int> node(point.n_nodes);
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          {
+            const unsigned int begin = a < point.n_slave_nodes
+                                         ? 0
+                                         : mean.n_slave_nodes,
+                               end   = a < point.n_slave_nodes
+                                         ? mean.n_slave_nodes
+                                         : mean.n_nodes;
+            for (unsigned int b = begin; b < end; ++b)
+              if (mean.dofs(b) == point.dofs(a))
+                node[a] = b;
+          }
+        std::vector<unsigned int> column(change.dofs.size());
+        for (unsigned int j = 0; j < column.size(); ++j)
+          column[j] =
+            std::find(sum.dofs.begin(), sum.dofs.end(), change.dofs[j]) -
+            sum.dofs.begin();
+        for (unsigned int a = 0; a < change.slide.size(); ++a)
+          sum.slide[node[a]] += part * change.slide[a];
+        if (change.C.n() == 0)
+          continue;
+        for (unsigned int j = 0; j < column.size(); ++j)
+          {
+            const unsigned int k = column[j];
+            for (unsigned int a = 0; a < point.n_nodes; ++a)
+              sum.C(node[a], k) += part * change.C(a, j);
+            for (unsigned int t = 0; t < dim - 1; ++t)
+              sum.turn[k] += part * change.turn[j][t] *
+                             mean.tangential_part(point.tangents[t]);
+            if (change.weight.empty())
+              continue;
+            sum.weight[k] += part * change.weight[j];
+            sum.projection[k] +=
+              part * (change.projection[j] + offset * change.weight[j]);
+            for (unsigned int a = 0; a < point.n_nodes; ++a)
+              sum.C(node[a], k) += part * point.C[a] * change.weight[j];
+            for (unsigned int a = 0; a < mean.n_nodes; ++a)
+              sum.C(a, k) -= part * mean.C[a] * change.weight[j];
+          }
+      }
+    first.change = std::move(sum);
+  }
+
+
+
+  template<int dim>
+  unsigned int PointFrames<dim>::acting_multiplier(
+    const std::vector<ContactPoint<dim>> &points,
+    const unsigned int                    k) const
+  {
+    const auto q = point_of_multiplier.find(k);
+    return q == point_of_multiplier.end() || !points[q->second].joined
+             ? k
+             : points[points[q->second].joined->first].multipliers[0];
+  }
+
+
+
+  template<int dim>
+  ContactPoint<dim>
+  PointFrames<dim>::as_it_acts(const std::vector<ContactPoint<dim>> &points,
+                               const unsigned int                    q) const
+  {
+    ContactPoint<dim> point = points[q];
+    if (!point.joined || !points[point.joined->first].facing)
+      return point;
+    const unsigned int       k     = point.joined->first;
+    const ContactPoint<dim> &first = points[k];
+    double                   all   = first.joined->weight;
+    for (const unsigned int other : others_at_node.at(k))
+      if (points[other].joined && points[other].joined->first == k)
+        all += points[other].joined->weight;
+    static_cast<PointPairing<dim> &>(point) = first;
+    point.status                            = first.status;
+    point.friction_bound                    = first.friction_bound;
+    point.multipliers                       = first.multipliers;
+    point.weight = first.weight * points[q].joined->weight / all;
+    return point;
+  }
+
+  template class PointFrames<2>;
+  template class PointFrames<3>;
+} // namespace Contact

@@ -1,0 +1,136 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_point_frames_h
+#define contact_point_frames_h
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "contact/interface/contact_pair.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The points of one node: of the sides of a slave that meet there, and of
+   * several contact pairs. Each of them is an equation for the displacement of
+   * the node relative to what it faces, and no system may have an equation that
+   * follows from others. So the points of a node share its directions, on one
+   * body each time:
+   *
+   * 1. Glue holds the node in all directions. Other points of the node face
+   *    nothing.
+   * 2. Points that face one smooth surface are *joined*: their normals are
+   *    closer than Surface::feature_angle, and so are the faces that they see,
+   *    however the groups of slave and master are cut. The first one has the
+   *    mean of their equations, with their weights,
+   *      C = sum_i w_i C_i / sum_i w_i,   w = sum_i w_i,
+   *    as the dual function of the node over all of its facets has, and one
+   *    pressure; the others face nothing. In results each of them has the
+   *    pressure of the first one and its own part of the weight.
+   * 3. Normals come before tangents: along the normals of the other points in
+   *    contact a point does not slip, and has no shear. held_slips() follows
+   *    the active set.
+   */
+  template<int dim>
+  class PointFrames
+  {
+  public:
+    using Pairs = std::vector<std::unique_ptr<const ContactPair<dim>>>;
+
+    PointFrames() = default;
+
+    /// The nodes with several of these @p points, which belong to @p pairs.
+    PointFrames(const std::vector<ContactPoint<dim>> &points,
+                const Pairs                          &pairs);
+
+    /// Tell the contact pairs at which nodes their slaves go on with other
+    /// sides, or other slaves do.
+    void find_other_sides(const std::vector<ContactPoint<dim>>  &points,
+                          const std::vector<ContactPair<dim> *> &to) const;
+
+    /// The points that are joined, and the first of those each is joined to.
+    using Joined = std::map<unsigned int, unsigned int>;
+
+    /// Give all points their own pairings back, before they are paired. Returns
+    /// the points that were joined.
+    Joined part(std::vector<ContactPoint<dim>> &points) const;
+
+    /// Join the points, which have been paired, and take out what glue says.
+    Joined join(std::vector<ContactPoint<dim>> &points) const;
+
+    /// The points of nodes that have several.
+    const std::map<unsigned int, std::vector<unsigned int>> &others() const
+    {
+      return others_at_node;
+    }
+
+    /// The directions along the tangents of the point @p q in which others in
+    /// contact hold its node. Orthonormal. @p status_of gives the status of a
+    /// point by its number.
+    template<typename StatusOf>
+    std::vector<Tensor<1, dim>>
+    held_slips(const std::vector<ContactPoint<dim>> &points,
+               const unsigned int                    q,
+               const StatusOf                       &status_of) const;
+
+    /// The normal multiplier that is the pressure for which a point has the
+    /// multiplier @p k: that, or the one of the point that it is joined to.
+    unsigned int acting_multiplier(const std::vector<ContactPoint<dim>> &points,
+                                   const unsigned int k) const;
+
+    /// A point as it acts: with pairing, status and multipliers of the one it
+    /// is joined to, and its own part of the weight.
+    ContactPoint<dim> as_it_acts(const std::vector<ContactPoint<dim>> &points,
+                                 const unsigned int                    q) const;
+
+  private:
+    bool see_one_surface(const ContactPoint<dim> &a,
+                         const ContactPoint<dim> &b) const;
+    bool are_on_one_body(const ContactPoint<dim> &a,
+                         const ContactPoint<dim> &b) const;
+    bool have_common_facets(const ContactPoint<dim> &a,
+                            const ContactPoint<dim> &b) const;
+    void join_to_first(const std::vector<unsigned int> &joined,
+                       std::vector<ContactPoint<dim>>  &points) const;
+    void join_rows(const std::vector<unsigned int> &joined,
+                   std::vector<ContactPoint<dim>>  &points) const;
+    void join_changes(const std::vector<unsigned int> &joined,
+                      std::vector<ContactPoint<dim>>  &points) const;
+
+    const Pairs                                      *pairs = nullptr;
+    std::vector<std::vector<unsigned int>>            at_nodes;
+    std::map<unsigned int, std::vector<unsigned int>> others_at_node;
+    std::map<unsigned int, unsigned int>              point_of_multiplier;
+  };
+
+
+
+  template<int dim>
+  template<typename StatusOf>
+  std::vector<Tensor<1, dim>>
+  PointFrames<dim>::held_slips(const std::vector<ContactPoint<dim>> &points,
+                               const unsigned int                    q,
+                               const StatusOf &status_of) const
+  {
+    std::vector<Tensor<1, dim>> held;
+    const auto                  of_node = others_at_node.find(q);
+    if (of_node == others_at_node.end())
+      return held;
+    const ContactPoint<dim> &of = points[q];
+    for (const unsigned int other : of_node->second)
+      if (status_of(other).kind != Status::open &&
+          are_on_one_body(of, points[other]))
+        add_orthonormal(of.along_tangents(
+                          of.tangential_part(points[other].normal)),
+                        held);
+    return held;
+  }
+} // namespace Contact
+
+#endif
