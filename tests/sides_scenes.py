@@ -9,6 +9,7 @@ import pathlib
 
 from block_scenes import rows, run
 
+INCREMENTS = 2
 FEATURE_ANGLE = 35  # degrees between the normals of two facets
 AXES = "xyz"
 QUADRANGLE = ((0, 0), (1, 0), (1, 1), (0, 1))
@@ -159,8 +160,8 @@ class Body:
 
 class Scene:
     """Bodies, contact pairs as (slave, master) and displacements: {group:
-    [(vector, history) ...]}; 'spins': {group: history of a small rotation about
-    the origin, 2-D}."""
+    [(vector, history) ...]}, or the axes that a group is held along, as in "y";
+    'spins': {group: history of a small rotation about the origin, 2-D}."""
 
     def __init__(self, bodies, pairs, moves, spins=None):
         self.bodies, self.pairs, self.moves = bodies, pairs, moves
@@ -223,9 +224,12 @@ class Scene:
         pairs = self.write(name, cut, turned)
         formulas = {d: [] for d in range(self.dim)}
         for group, ways in self.moves.items():
+            held = isinstance(ways, str)
             for d in range(self.dim):
+                if held and AXES[d] not in ways:
+                    continue
                 terms = []
-                for vector, history in ways:
+                for vector, history in () if held else ways:
                     length = product(turned, vector)[d]
                     if length:
                         terms.append(f"({length!r})*{history}")
@@ -243,7 +247,7 @@ class Scene:
                 ", ".join(f"{b.name}: 0.3" for b in self.bodies),
             **{f"Boundary conditions/Displacement formula {AXES[d]}":
                "; ".join(of) for d, of in formulas.items()},
-            "Solution/Increments": 2, "Solution/Newton tolerance": 1e-10,
+            "Solution/Increments": INCREMENTS, "Solution/Newton tolerance": 1e-10,
             "Solution/Geometry tolerance": 1e-9,
             "Output/Nodes": "true", "Output/Screen": "none", **entries}
         for section, (slave, master) in zip(sections, pairs):
@@ -266,12 +270,15 @@ class Result:
     """Nodal forces of contact and displacements of a run, turned back."""
 
     def __init__(self, name, back, status, said, summary):
-        self.status, self.said = status, said
         increments = summary.get("increments", [])
+        self.status = status
+        self.said = said.strip() or \
+            increments and increments[-1].get("message") or "nothing"
         self.steps = sum(i["newton_iterations"] for i in increments)
-        self.converged = sum(1 for i in increments if i["converged"])
-        self.forces, self.displacements, self.of_body = {}, {}, {}
-        if status != 0:
+        self.violated = {v.split(":")[0] for i in increments
+                         for v in i.get("violations", [])}
+        self.forces, self.of_body, self.moments = {}, {}, {}
+        if status not in (0, 1):
             return
         axes = AXES[:len(back)]
         unit = "N_per_mm" if len(axes) == 2 else "N"
@@ -281,10 +288,19 @@ class Result:
                                zip(axes, axes.upper())])
                 for column in ("{1}_mm", "displacement_{0}_mm",
                                "contact_force_{0}_" + unit))
-            key = row["body"], *(round(x, 6) + 0. for x in place)
-            self.forces[key], self.displacements[key] = force, displacement
-            total = self.of_body.get(row["body"], (0.,) * len(axes))
-            self.of_body[row["body"]] = tuple(map(sum, zip(total, force)))
+            body = row["body"]
+            self.forces[body, *(round(x, 6) + 0. for x in place)] = force
+            place = tuple(map(sum, zip(place, displacement)))
+            moment = [place[a] * force[b] - place[b] * force[a]
+                      for a, b in itertools.combinations(range(len(place)), 2)]
+            for of, vector in (self.of_body, force), (self.moments, moment):
+                of[body] = tuple(map(sum, zip(of.get(body, (0.,) * len(vector)),
+                                              vector)))
+
+    def converged(self, but_for_depth=False):
+        """Whether it did, without a violated invariant but this one."""
+        return self.status == 0 or \
+            but_for_depth and self.status == 1 and self.violated == {"depth"}
 
     def largest(self):
         return max(math.hypot(*force) for force in self.forces.values())
@@ -301,9 +317,11 @@ class Result:
                    for key, force in self.forces.items()) / \
             max(self.largest(), other.largest())
 
-    def difference_of_totals(self, other):
-        """That of the forces on a body as a whole, relative to the largest of
-        these."""
-        return max(math.dist(force, other.of_body[body])
-                   for body, force in self.of_body.items()) / \
-            max(math.hypot(*force) for force in other.of_body.values())
+    def difference_of_totals(self, other, of_moments):
+        """That of the forces on a body as a whole, or of their moments about the
+        origin, relative to the largest of these."""
+        mine, others = (result.moments if of_moments else result.of_body
+                        for result in (self, other))
+        return max(math.dist(vector, others[body])
+                   for body, vector in mine.items()) / \
+            max(math.hypot(*vector) for vector in others.values())

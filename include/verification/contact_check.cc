@@ -186,10 +186,9 @@ namespace Contact
     if (depth <= half(std::min(way, deformed)))
       return;
     const std::string what =
-      std::string(contact_pair.obstacle ? "the place" : "the node") +
-      " of the " + std::string(now.of_master ? "master" : "slave") +
-      " at X = (" + brief(now.X) + ") mm is " + brief(now.depth) +
-      " mm inside of the " +
+      std::string("the place of the ") +
+      std::string(now.of_master ? "master" : "slave") + " at X = (" +
+      brief(now.X) + ") mm is " + brief(now.depth) + " mm inside of the " +
       (contact_pair.obstacle ? "obstacle" : "other body") +
       ", of surfaces that move by " + brief(way) + " mm" +
       (depth > half(way)
@@ -203,29 +202,20 @@ namespace Contact
         ? "The slave's edges are too long to see a corner of the "
           "master: exchange slave and master, or refine the slave."
         : "No contact point looks there: refine the mesh.";
-    // Surfaces that push each other overlap by what the mesh does not resolve;
-    // others have passed each other unseen. A node tells nothing of the whole:
-    // the force of a block on a single node of its slave may be a quarter of
-    // what it should be, that of a long surface with such a depth at its end
-    // off by two percent. With the Gauss-point discretization one that no point
-    // looks at may have gone in by all that a body was moved since it touched.
-    if (carries_force(contact_pair, now.slave_facet))
-      {
-        if (depth > half(way) ||
-            (ends_run && !contact_pair.has_point_per_multiplier()))
-          found.notes.push_back("depth: " + what + ". " + advice +
-                                " Forces may be off by a factor: compare them "
-                                "with those of the refined mesh.");
-      }
-    else if (ends_run || depth > half(way))
+    // What points do not look at may be in the other body by all that the
+    // bodies have approached each other: forces may be off by a factor then.
+    const std::string forces =
+      carries_force(contact_pair, now.slave_facet)
+        ? ", where forces act, which may be off by a factor"
+        : ", and no force acts there";
+    if (ends_run || depth > half(way))
       found.check("depth",
                   depth,
                   half(std::min(way, deformed)),
-                  what + ", and no force acts there",
+                  what + forces,
                   advice);
     else
-      found.notes.push_back("depth: " + what +
-                            ", and no force acts there yet. " + advice);
+      found.notes.push_back("depth: " + what + forces + " yet. " + advice);
   }
 
 

@@ -113,14 +113,13 @@ namespace Contact
    * through each other.
    *
    * @par Depth
-   * On a mesh that is too coarse the discrete conditions may hold while a node
-   * is deep inside of the other body, or an obstacle between two nodes. There
-   * is a note if it is deeper, by more than half of the largest displacement of
-   * the two surfaces, than it was undeformed, and a violation where no force
-   * acts: in the whole contact pair, of overlaps that polygons or the mesh have
-   * to begin with as well. Where no force acts, half of what the bodies deform
-   * by without their rigid motions is enough for a note, and at the end of a
-   * run for a violation: a way until they touch must not hide it. A node that
+   * On a mesh that is too coarse the discrete conditions may hold while places
+   * between the contact points are deep inside of the other body, or of an
+   * obstacle. It is a violation if one is deeper than it was undeformed, by more
+   * than half of what the surfaces move by, and at the end of a run by more than
+   * half of what they deform by without the rigid motions of the bodies: a way
+   * until they touch must not hide it. Overlaps that polygons or the mesh have
+   * to begin with count where no force acts in the whole contact pair. A node that
    * goes through the other body in an increment is a violation, see
    * find_crossing().
    */

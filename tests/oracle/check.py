@@ -158,10 +158,17 @@ Tools = collections.namedtuple("Tools", "model states zone output")
 
 def tools_of(scene):
     if len(scene.axes) == 2:
-        return Tools(lambda scene, run: fem.Model(scene), states_of,
-                     motion_check.zone_check_of, check_profile)
-    import space_check
-    return space_check.TOOLS
+        tools = Tools(lambda scene, run: fem.Model(scene), states_of,
+                      motion_check.zone_check_of, check_profile)
+    else:
+        import space_check
+        tools = space_check.TOOLS
+    if scene.round_edges:
+        import sides_check
+        tools = tools._replace(zone=sides_check.SidesCheck)
+        if len(scene.axes) == 2:
+            tools = tools._replace(output=sides_check.shears)
+    return tools
 
 
 def problems(scene, run, model=None):

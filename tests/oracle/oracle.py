@@ -30,17 +30,21 @@ import kinds_materials
 import kinds_motions
 import kinds_parts
 import kinds_shapes
+import kinds_sides
 import results
 import scene as scenes
+import sides_variants
 import space_blocks
 import space_materials
 import space_round
+import space_sides
 import variants
 
 KINDS = {f.__name__: f for f in kinds_blocks.KINDS + kinds_shapes.KINDS +
-         kinds_parts.KINDS + kinds_materials.KINDS + kinds_motions.KINDS}
+         kinds_parts.KINDS + kinds_materials.KINDS + kinds_motions.KINDS +
+         kinds_sides.KINDS}
 SPACE = {"space_" + f.__name__: f for f in space_blocks.KINDS +
-         space_round.KINDS + space_materials.KINDS}
+         space_round.KINDS + space_materials.KINDS + space_sides.KINDS}
 COLUMNS = ("run", "converged", "differs", "refused", "not converged", "wrong",
            "crash", "seconds", "most s", "most MB", "steps")
 
@@ -101,6 +105,9 @@ def run_scene(binary, share, kind, seed, directory):
                                  directory / "variant")
         if found:
             column, reason = found
+    if column == "converged" and share > 0 and scene.round_edges:
+        column, reason = sides_variants.compare(
+            scene, run, binary, directory / "sides") or (column, reason)
     return Outcome(scene, column, reason, run)
 
 

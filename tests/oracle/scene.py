@@ -142,6 +142,10 @@ class Scene:
         self.histories = {}
         self.zones = []
         self.entries = {}
+        # Whether groups go round edges on both sides (sides_check.py); how far the
+        # bodies would overlap without contact [mm], None if nobody knows.
+        self.round_edges = False
+        self.approach = None
         self.expected = SOLVED
         # Whether all loops, rules and systems are left to the program.
         self.is_default = True

@@ -161,6 +161,7 @@ namespace Contact
         const auto normals = slave.facet_normals(u);
         for (ContactPoint<dim> &point : points)
           {
+            take_tangents_along(point, slave, u);
             pair_with_obstacle(point, *obstacle, discretization, u);
             NormalCone<dim> here = directions(point, normals, u);
             if (!here.others.empty())
@@ -193,6 +194,7 @@ namespace Contact
     for (ContactPoint<dim> &point : points)
       {
         const auto old_nodes = point.nodes;
+        take_tangents_along(point, slave, u);
         pair_with_master(point,
                          directions(point, normals, u),
                          *master,

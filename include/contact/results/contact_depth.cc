@@ -5,84 +5,17 @@
 
 #include "contact/results/contact_depth.h"
 
-#include <algorithm>
-#include <cmath>
+#include <deal.II/base/mpi.h>
 
-#include "contact/points/corner_points.h"
+#include <algorithm>
+#include <array>
+#include <boost/serialization/array.hpp>
+#include <cmath>
 
 namespace Contact
 {
   namespace
   {
-    /// By how much the polygon of an edge may be beside the curve that it
-    /// stands for, at one of its nodes. A corner, or an end, stands for itself.
-    double sagitta(const Surface<2>  &surface,
-                   const unsigned int e,
-                   const unsigned int a)
-    {
-      const SurfaceFacet<2> &edge = surface.facets[e];
-      const bool             stands_for_itself =
-        a < 2 &&
-        (edge.corner[a] || (a == 0 ? edge.begins_surface : edge.ends_surface));
-      return stands_for_itself
-               ? 0.
-               : surface.turns[edge.nodes[a]] * surface.reference_length(e) / 4;
-    }
-
-
-
-    /// The deepest node of @p surface.
-    void look(const Surface<2>    &surface,
-              const Surface<2>    &other,
-              const bool           is_master,
-              const GhostedVector &u,
-              const bool           as_drawn,
-              ContactDepth<2>     &deepest)
-    {
-      const SurfaceSearch<2> search(other, u);
-      const auto             normals = surface.facet_normals(u);
-      for (unsigned int e = 0; e < surface.facets.size(); ++e)
-        for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-          {
-            const unsigned int  i          = surface.facets[e].nodes[a];
-            const Point<2>      x          = surface.position(i, u);
-            const Projection<2> projection = search.closest_point(x);
-            if (projection.off_the_end || projection.clipped)
-              continue;
-
-            const EdgeShape shape(other.degree, projection.xi);
-            const auto     &edge = other.facets[projection.facet];
-            Tensor<1, 2>    r    = x, along;
-            for (unsigned int b = 0; b < other.n_nodes_per_facet(); ++b)
-              {
-                r -= shape.value[b] * other.position(edge.nodes[b], u);
-                along += shape.first[b] * other.position(edge.nodes[b], u);
-              }
-            const Tensor<1, 2> outward = cross_product_2d(along) / along.norm();
-            // A node further behind the other surface than its edge is long has
-            // come there around it, and a face that stands on the surface does
-            // not look at it: where the ends of a shaft and its hub are in one
-            // plane, one of them moves a little behind the end of the other.
-            const double behind = -(r * outward);
-            const double facing = std::sin(numbers::PI / 180 * inclination);
-            if (outward * normals[e][a] >= -facing ||
-                behind >= other.reference_length(projection.facet))
-              continue;
-            const double allowance =
-              sagitta(surface, e, a) +
-              std::max(sagitta(other, projection.facet, 0),
-                       sagitta(other, projection.facet, 1));
-            const double depth = as_drawn ? behind : behind - allowance;
-            if (depth > deepest.depth)
-              deepest = {depth,
-                         is_master,
-                         surface.nodes[i].X,
-                         is_master ? projection.facet : e};
-          }
-    }
-
-
-
     /// Places of a facet, with its nodes or between them only.
     template<int dim>
     std::vector<FacetPoint<dim>> places_of_facet(const bool with_nodes);
@@ -103,6 +36,125 @@ namespace Contact
         for (const double eta : places_of_facet<2>(with_nodes))
           places.emplace_back(xi, eta);
       return places;
+    }
+
+
+
+    /// The directions that a place of a facet looks in, and nothing beside it.
+    NormalCone<2> straight_ahead(const Tensor<1, 2> &normal)
+    {
+      return {normal, normal};
+    }
+
+    NormalCone<3> straight_ahead(const Tensor<1, 3> &normal)
+    {
+      NormalCone<3> directions;
+      directions.normals = {normal};
+      return directions;
+    }
+
+
+
+    /// By how much each facet may be beside the surface that it stands for, by
+    /// the angles between the facets that meet smoothly at its nodes: the
+    /// sagitta. Corners and ends stand for themselves.
+    template<int dim>
+    std::vector<double> sagittas(const Surface<dim>       &surface,
+                                 const SurfaceSearch<dim> &own,
+                                 const GhostedVector      &u)
+    {
+      const auto          means = surface.facet_normals(u);
+      std::vector<double> sagittas(surface.facets.size(), 0.);
+      for (unsigned int e = 0; e < surface.facets.size(); ++e)
+        for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+          {
+            const double cosine =
+              std::clamp(own.normal(e, node_place<dim>(a)) * means[e][a],
+                         -1.,
+                         1.);
+            sagittas[e] =
+              std::max(sagittas[e],
+                       2 * std::acos(cosine) * surface.reference_length(e) / 4);
+          }
+      return sagittas;
+    }
+
+
+
+    /// The deepest place of @p surface. Each process looks at its share of the
+    /// facets. A place further behind the other surface than its facet is long
+    /// has come there around it.
+    template<int dim>
+    void look(const Surface<dim>  &surface,
+              const Surface<dim>  &other,
+              const bool           is_master,
+              const MPI_Comm       communicator,
+              const GhostedVector &u,
+              const bool           as_drawn,
+              ContactDepth<dim>   &deepest)
+    {
+      const SurfaceSearch<dim> own(surface, u), search(other, u);
+      const auto               of_own = sagittas(surface, own, u),
+                 of_other             = sagittas(other, search, u);
+      double longest                  = 0;
+      for (unsigned int f = 0; f < other.facets.size(); ++f)
+        longest = std::max(longest, other.reference_length(f));
+      const auto is_close = search.may_be_close(own, longest);
+      const auto places   = places_of_facet<dim>(/*with_nodes=*/true);
+      for (const unsigned int e :
+           Utilities::MPI::create_evenly_distributed_partitioning(
+             communicator,
+             surface.facets.size()))
+        for (const FacetPoint<dim> &xi : places)
+          {
+            if (!is_close[e])
+              break;
+            const FacetShape<dim> shape(surface.degree, xi);
+            Point<dim>            x, X;
+            for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+              {
+                const unsigned int i = surface.facets[e].nodes[a];
+                x += shape.value[a] * surface.position(i, u);
+                X += shape.value[a] * surface.nodes[i].X;
+              }
+            const auto projection =
+              search.closest_facing(x, straight_ahead(own.normal(e, xi)));
+            const unsigned int f = projection.facet;
+            if (projection.off_the_end || projection.clipped)
+              continue;
+            const double behind = -((x - search.position(projection)) *
+                                    search.normal(f, projection.xi));
+            if (behind <= 0 || behind >= other.reference_length(f))
+              continue;
+            const double depth =
+              as_drawn ? behind : behind - of_own[e] - of_other[f];
+            if (depth > deepest.depth)
+              deepest = {depth, is_master, X, is_master ? f : e};
+          }
+    }
+
+
+
+    /// Of those of all processes the deepest one.
+    template<int dim>
+    void compare(const MPI_Comm communicator, ContactDepth<dim> &deepest)
+    {
+      std::array<double, 3 + dim> own{
+        {deepest.depth,
+         static_cast<double>(deepest.of_master),
+         static_cast<double>(deepest.slave_facet)}};
+      for (unsigned int i = 0; i < dim; ++i)
+        own[3 + i] = deepest.X[i];
+      for (const auto &of : Utilities::MPI::all_gather(communicator, own))
+        if (of[0] > deepest.depth)
+          {
+            deepest = {of[0],
+                       of[1] > 0,
+                       Point<dim>(),
+                       static_cast<unsigned int>(of[2])};
+            for (unsigned int i = 0; i < dim; ++i)
+              deepest.X[i] = of[3 + i];
+          }
     }
   } // namespace
 
@@ -155,33 +207,33 @@ namespace Contact
 
 
 
-  ContactDepth<2> largest_depth(const ContactPair<2> &contact_pair,
-                                const GhostedVector  &u,
-                                const bool            as_drawn)
+  template<int dim>
+  ContactDepth<dim> largest_depth(const ContactPair<dim> &contact_pair,
+                                  const GhostedVector    &u,
+                                  const bool              as_drawn)
   {
-    ContactDepth<2> deepest;
+    const MPI_Comm    communicator = contact_pair.discretization.communicator;
+    ContactDepth<dim> deepest;
     if (contact_pair.master)
       {
-        look(contact_pair.slave,
-             *contact_pair.master,
-             false,
-             u,
-             as_drawn,
-             deepest);
-        look(*contact_pair.master,
-             contact_pair.slave,
-             true,
-             u,
-             as_drawn,
-             deepest);
+        const Surface<dim> &slave  = contact_pair.slave,
+                           &master = *contact_pair.master;
+        look(slave, master, false, communicator, u, as_drawn, deepest);
+        look(master, slave, true, communicator, u, as_drawn, deepest);
+        compare(communicator, deepest);
       }
     else
       look_at_obstacle(contact_pair.slave,
                        *contact_pair.obstacle,
                        u,
                        as_drawn,
-                       !contact_pair.has_point_per_multiplier(),
+                       /*at_nodes=*/!contact_pair.has_point_per_multiplier(),
                        deepest);
     return deepest;
   }
+
+  template ContactDepth<2>
+  largest_depth(const ContactPair<2> &, const GhostedVector &, const bool);
+  template ContactDepth<3>
+  largest_depth(const ContactPair<3> &, const GhostedVector &, const bool);
 } // namespace Contact

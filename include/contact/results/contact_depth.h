@@ -12,8 +12,8 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// The depth of a node of one surface inside of the other one, or of a place
-  /// of the slave inside of an obstacle.
+  /// The depth of a place of one surface inside of the other one, or of the
+  /// slave inside of an obstacle.
   template<int dim>
   struct ContactDepth
   {
@@ -24,10 +24,10 @@ namespace Contact
   };
 
   /**
-   * The deepest node of both surfaces of a contact pair under the displacement
-   * @p u: the distance from the closest point of the
-   * other surface, of nodes on its inner side that face it, less what the edges
-   * of both surfaces, by the angles between them, may be beside a curve. On an
+   * The deepest place of both surfaces of a contact pair under the displacement
+   * @p u: nodes and places between them, on the inner side of the closest place
+   * of the other surface that they face, less what the facets of both surfaces,
+   * by the angles between them, may be beside a curve. On an
    * obstacle the deepest of some places of the slave, of its nodes only with
    * the Gauss-point discretization, which has no points there; an edge of the
    * length h, if that is no more than the radius R of a circle, may be inside
@@ -39,12 +39,10 @@ namespace Contact
    * that is too coarse for the scene, a corner of the master may be in a slave
    * edge as deep as it was pushed.
    */
-  ContactDepth<2> largest_depth(const ContactPair<2> &contact_pair,
-                                const GhostedVector  &u,
-                                const bool            as_drawn);
-  ContactDepth<3> largest_depth(const ContactPair<3> &contact_pair,
-                                const GhostedVector  &u,
-                                const bool            as_drawn);
+  template<int dim>
+  ContactDepth<dim> largest_depth(const ContactPair<dim> &contact_pair,
+                                  const GhostedVector    &u,
+                                  const bool              as_drawn);
 
   /// The deepest place of the slave inside of an obstacle, @p at_nodes or
   /// between them: where each node has a point that one looks there.

@@ -307,15 +307,40 @@ namespace Contact
 
 
 
+  Point<2> SurfaceSearch<2>::position(const Projection<2> &projection) const
+  {
+    const auto      nodes = edge_positions(projection.facet);
+    const EdgeShape shape(surface.degree, projection.xi);
+    Point<2>        x;
+    for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+      x += shape.value[a] * nodes[a];
+    return x;
+  }
+
+
+
+  std::vector<bool>
+  SurfaceSearch<2>::may_be_close(const SurfaceSearch<2> &other,
+                                 const double            distance) const
+  {
+    std::vector<bool> by_facet;
+    for (unsigned int e = 0; e < other.surface.facets.size(); ++e)
+      {
+        const auto corners = other.hull(e);
+        Box        box(std::vector<Point<2>>(corners.begin(), corners.end()));
+        box.extend(distance);
+        by_facet.push_back(
+          tree.qbegin(boost::geometry::index::intersects(box)) != tree.qend());
+      }
+    return by_facet;
+  }
+
+
+
   double
   SurfaceSearch<2>::distance_square(const Point<2>      &x,
                                     const Projection<2> &projection) const
   {
-    const auto      nodes = edge_positions(projection.facet);
-    const EdgeShape shape(surface.degree, projection.xi);
-    Tensor<1, 2>    r = x;
-    for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-      r -= shape.value[a] * nodes[a];
-    return r.norm_square();
+    return x.distance_square(position(projection));
   }
 } // namespace Contact

@@ -112,6 +112,15 @@ namespace Contact
     Projection<2> closest_facing(const Point<2>      &x,
                                  const NormalCone<2> &directions) const;
 
+    /// The place of a projection.
+    Point<2> position(const Projection<2> &projection) const;
+
+    /// By facet of another surface, whether a point of it may be as close to
+    /// this one as @p distance [mm]: false where the boxes that the facets are
+    /// in are further apart.
+    std::vector<bool> may_be_close(const SurfaceSearch<2> &other,
+                                   const double            distance) const;
+
     /// The edges that may have a point in a box.
     std::vector<unsigned int> edges_in(const BoundingBox<2> &box) const;
 

@@ -79,6 +79,7 @@ namespace Contact
   {
     provided.clear();
     partners.clear();
+    has_room_for_changes = changes_are_in_tangent();
     if (interface == nullptr)
       return;
     for (const ContactPoint<dim> &point : interface->points())
@@ -100,11 +101,29 @@ namespace Contact
 
 
 
+  // With friction they are there from the first slip on, without it where an
+  // increment is solved once more with them.
+  template<int dim>
+  bool InterfaceCouplings<dim>::changes_are_in_tangent() const
+  {
+    if (interface == nullptr)
+      return false;
+    const auto &points = interface->points();
+    return interface->has_coulomb_friction() ||
+           std::any_of(points.begin(), points.end(), [](const auto &point) {
+             return !point.change.dofs.empty();
+           });
+  }
+
+
+
   template<int dim>
   bool InterfaceCouplings<dim>::serve() const
   {
     if (interface == nullptr)
       return true;
+    if (changes_are_in_tangent() && !has_room_for_changes)
+      return false;
     for (unsigned int q = 0; q < interface->points().size(); ++q)
       {
         const ContactPoint<dim> &point = interface->points()[q];
@@ -203,7 +222,7 @@ namespace Contact
   void
   InterfaceCouplings<dim>::add_points(DynamicSparsityPattern &pattern) const
   {
-    if (interface == nullptr || !interface->has_coulomb_friction())
+    if (!has_room_for_changes)
       return;
     const IndexSet &owned = discretization.dof_handler.locally_owned_dofs();
     for (unsigned int q = 0; q < interface->points().size(); ++q)

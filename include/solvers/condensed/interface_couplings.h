@@ -66,8 +66,14 @@ namespace Contact
     void collect_neighbors(const Surface<dim> &surface);
     Dofs reachable(const ContactPoint<dim> &point) const;
 
+    /// Whether the tangent may have the stiffness of the pairing.
+    bool changes_are_in_tangent() const;
+
     const Discretization<dim>   &discretization;
     const ContactInterface<dim> *interface;
+
+    /// Whether the last pattern has room for that stiffness.
+    bool has_room_for_changes = false;
 
     /// Of each point, the unknowns that it may see.
     std::vector<Dofs> provided;
