@@ -115,10 +115,10 @@ namespace Contact
                 point.C[a] * (point.X(a)[i] +
                               (undeformed ? 0. : solution[point.dofs(a)[i]]));
           }
-        const double offset =
-          point.projection_is_clipped || acts_over_gap(contact_pair)
-            ? point.tangential_part(r).norm()
-            : foot_moves * sum_of_C;
+        const double offset = point.projection_is_clipped || point.joined ||
+                                  acts_over_gap(contact_pair)
+                                ? point.tangential_part(r).norm()
+                                : foot_moves * sum_of_C;
         moment +=
           point.weight * (tractions[k].q.norm() * std::abs(r * point.normal) +
                           std::abs(tractions[k].p) * offset);

@@ -155,7 +155,7 @@ namespace Contact
       return;
     // The way until the surfaces touched says nothing of the forces; the bodies
     // may not have deformed yet before the end of a run.
-    double     way = 0, deformed = 0;
+    double     way = 0, deformed = 0, of_bodies = 0;
     const auto fits    = fit_rigid_motions(discretization, solution);
     const auto look_at = [&](const Surface<dim> &surface) {
       for (const SurfaceNode<dim> &node : surface.nodes)
@@ -163,6 +163,9 @@ namespace Contact
           way = std::max(way, std::abs(solution[dof]));
       deformed =
         std::max(deformed, largest_deformation(surface, fits, solution));
+      for (const SurfaceFacet<dim> &facet : surface.facets)
+        of_bodies =
+          std::max(of_bodies, fits.at(facet.body).largest_deformation);
     };
     look_at(contact_pair.slave);
     if (contact_pair.master)
@@ -183,17 +186,25 @@ namespace Contact
                      clearance(contact_pair))
         : 0.;
     const double depth = now.depth - overlap;
-    if (depth <= half(std::min(way, deformed)))
+    // Where forces act, surfaces overlap by what the mesh does not resolve: a
+    // part of what the bodies have approached each other by, which forces
+    // deform them by. Beyond half of that, forces may be off by a factor.
+    const bool   acts  = carries_force(contact_pair, now.slave_facet);
+    const double scale = acts ? of_bodies : std::min(way, deformed);
+    if (depth <= half(scale))
       return;
     const std::string what =
       std::string("the place of the ") +
       std::string(now.of_master ? "master" : "slave") + " at X = (" +
       brief(now.X) + ") mm is " + brief(now.depth) + " mm inside of the " +
       (contact_pair.obstacle ? "obstacle" : "other body") +
-      ", of surfaces that move by " + brief(way) + " mm" +
-      (depth > half(way)
-         ? ""
-         : ", of which bodies deform by " + brief(deformed) + " mm");
+      (acts ? ", of bodies that deform by " + brief(of_bodies) +
+                " mm: forces may be off by a factor"
+            : ", of surfaces that move by " + brief(way) +
+                (depth > half(way) ? " mm"
+                                   : " mm, of which bodies deform by " +
+                                       brief(deformed) + " mm") +
+                ", and no force acts there");
     const std::string advice =
       !pushes && contact_pair.master
         ? "The meshes do not resolve it: refine the slave, or exchange it with "
@@ -202,20 +213,10 @@ namespace Contact
         ? "The slave's edges are too long to see a corner of the "
           "master: exchange slave and master, or refine the slave."
         : "No contact point looks there: refine the mesh.";
-    // What points do not look at may be in the other body by all that the
-    // bodies have approached each other: forces may be off by a factor then.
-    const std::string forces =
-      carries_force(contact_pair, now.slave_facet)
-        ? ", where forces act, which may be off by a factor"
-        : ", and no force acts there";
-    if (ends_run || depth > half(way))
-      found.check("depth",
-                  depth,
-                  half(std::min(way, deformed)),
-                  what + forces,
-                  advice);
+    if (acts || ends_run || depth > half(way))
+      found.check("depth", depth, half(scale), what, advice);
     else
-      found.notes.push_back("depth: " + what + forces + " yet. " + advice);
+      found.notes.push_back("depth: " + what + " yet. " + advice);
   }
 
 

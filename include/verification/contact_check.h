@@ -115,11 +115,12 @@ namespace Contact
    * @par Depth
    * On a mesh that is too coarse the discrete conditions may hold while places
    * between the contact points are deep inside of the other body, or of an
-   * obstacle. It is a violation if one is deeper than it was undeformed, by more
-   * than half of what the surfaces move by, and at the end of a run by more than
-   * half of what they deform by without the rigid motions of the bodies: a way
-   * until they touch must not hide it. Overlaps that polygons or the mesh have
-   * to begin with count where no force acts in the whole contact pair. A node that
+   * obstacle. It is a violation if one is deeper than it was undeformed by more
+   * than half of what the bodies deform by, without their rigid motions. Where
+   * no force acts that is what the surfaces deform by, and before the end of a
+   * run what they move by: a way until they touch must not hide it. Overlaps
+   * that polygons or the mesh have to begin with count where no force acts in
+   * the whole contact pair. A node that
    * goes through the other body in an increment is a violation, see
    * find_crossing().
    */

@@ -7,6 +7,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+
 namespace Contact
 {
   namespace
@@ -70,18 +72,29 @@ namespace Contact
         if (discretization.axisymmetric)
           fit.centre[0] = fit.centre_X[0];
       }
-    if (discretization.axisymmetric)
-      return fits;
-
+    if (!discretization.axisymmetric)
+      {
+        for_corners(discretization,
+                    u,
+                    [&](const auto body, auto &X, auto &way) {
+                      correlations[body] +=
+                        outer_product(X + way - fits[body].centre,
+                                      X - fits[body].centre_X);
+                    });
+        for (auto &[body, fit] : fits)
+          {
+            sum_over_ranks(correlations[body], communicator);
+            fit.R = project_onto_orthogonal_tensors(correlations[body]);
+          }
+      }
     for_corners(discretization, u, [&](const auto body, auto &X, auto &way) {
-      correlations[body] +=
-        outer_product(X + way - fits[body].centre, X - fits[body].centre_X);
+      fits[body].largest_deformation =
+        std::max(fits[body].largest_deformation,
+                 fits[body].deformation(X, way).norm());
     });
     for (auto &[body, fit] : fits)
-      {
-        sum_over_ranks(correlations[body], communicator);
-        fit.R = project_onto_orthogonal_tensors(correlations[body]);
-      }
+      fit.largest_deformation =
+        Utilities::MPI::max(fit.largest_deformation, communicator);
     return fits;
   }
 

@@ -24,6 +24,9 @@ namespace Contact
     Tensor<1, dim> centre_X, centre;
     Tensor<2, dim> R = unit_symmetric_tensor<dim>();
 
+    /// The largest deformation of a corner of a cell [mm].
+    double largest_deformation = 0;
+
     /// What is left of the displacement @p u at @p X [mm].
     Tensor<1, dim> deformation(const Point<dim>     &X,
                                const Tensor<1, dim> &u) const

@@ -200,7 +200,6 @@ def key(rng, seed):
 def ring(name, n, half, radii, keep):
     """Angles from -pi to pi, closed; the key or its way is at the angle 0."""
     step = 2 * math.pi / n
-    angles = stations(step, math.pi, half, -half, -math.pi)
     k = max(1, round((math.pi - half) / step))
     j = max(1, round(2 * half / step))
     angles = ticks(math.pi, k, half, j, -half, k, -math.pi)

@@ -11,11 +11,11 @@ import space_surfaces
 import surfaces
 
 # Points of a facet along each side.
-POINTS = {2: 6, 3: 4}
+POINTS = {2: 8, 3: 6}
 # Facets face each other whose normals have a product below it.
 FACING = -0.17
 # Of the modulus by the size of a facet.
-STIFFNESS = 30.0
+STIFFNESS = 200.0
 # Pairings, on the surfaces as they are deformed so far; steps for each.
 PAIRINGS, STEPS = 4, 60
 # Of the largest displacement.
@@ -105,9 +105,9 @@ def shapes_of_faces(model, group, piece, s):
 class OwnContact:
     """Of a scene with one zone or several, at the time t."""
 
-    def __init__(self, model, t, reach):
-        """`reach`: no points touch that are further apart undeformed."""
-        self.model, self.t, self.reach = model, t, reach
+    def __init__(self, model, t, way):
+        """`way`: nothing moves by more, nor is deeper in the other body."""
+        self.model, self.t, self.way = model, t, way
         model.at(t)
         self.external = model.external(t)
         self.held, self.value = model.supports(t)
@@ -135,7 +135,7 @@ class OwnContact:
         hits, shapes = ((hits_of_lines, shapes_of_lines) if model.dim == 2 else
                         (hits_of_faces, shapes_of_faces))
         d, group, s = hits(model, other, x, points.x, points.n)
-        d = np.where((d < self.reach) & (d > -self.reach), d, np.inf)
+        d = np.where((d < 3 * self.way) & (d > -self.way), d, np.inf)
         piece = np.abs(d).argmin(1)
         found = np.flatnonzero(np.isfinite(d[np.arange(len(d)), piece]))
         if not len(found):

@@ -221,10 +221,15 @@ class SidesCheck:
         nodes = self.all_nodes()
         step = self.state.u - (before.u if before is not None else 0)
         force = self.state.residual[nodes]
-        # What is left of forces that are gone does not count.
-        size = max(np.linalg.norm(force, axis=1).sum(), 1e-4 * self.state.scale)
+        # What is left of forces that are gone does not count, nor round-off.
+        size = max(np.linalg.norm(force, axis=1).sum(), 1e-4 * self.state.scale,
+                   self.noise())
         return ((force * step[nodes]).sum(),
                 size * max(np.abs(step).max(), 1e-6 * self.slack))
+
+    def noise(self):
+        return 1e3 * np.linalg.norm(self.state.error[self.all_nodes()],
+                                    axis=1).sum()
 
     def net(self, forces):
         """On the side that no support holds: its sum, and the sum of sizes."""
@@ -239,11 +244,12 @@ class SidesCheck:
         if self.zone.mu or self.scene.rigid or self.rule == "nodal":
             return []
         ours = self.net(self.state.residual)
-        if ours is None or ours[1] <= 1e-3 * self.state.scale:
+        if ours is None or ours[1] <= max(1e-3 * self.state.scale,
+                                          self.noise()):
             return []
         try:
             own = own_contact.OwnContact(self.model, self.state.t,
-                                         10 * self.slack).solve()
+                                         self.slack).solve()
         except (ArithmeticError, RuntimeError):
             return []
         net, size = self.net(own.force())

@@ -1,7 +1,6 @@
 """Scenes in space whose surfaces of contact go round edges on both sides: trays,
 keys, slots, steps, rims. Each group is one, however many sides it has."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
-import draw
 import space_draw
 from draw import size, swap, uniform
 from kinds_sides import RULES, clearance, friction, slant, stations

@@ -96,7 +96,7 @@ def model_of(scene):
 
 def solved(scene):
     model = model_of(scene)
-    return model, own_contact.OwnContact(model, 1.0, 0.2).solve()
+    return model, own_contact.OwnContact(model, 1.0, 2 * DOWN).solve()
 
 
 def confined():
