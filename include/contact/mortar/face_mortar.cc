@@ -59,8 +59,8 @@ namespace Contact
     , discretization(discretization)
     , excluded(excluded)
     , planes(slave, master, discretization)
-    , slave_bends(planes.bends(slave))
-    , master_bends(planes.bends(master))
+    , slave_bends(planes.bends(slave, /*with_ends=*/true))
+    , master_bends(planes.bends(master, /*with_ends=*/false))
     , face_integrals(slave, master, excluded, master_bends)
   {
   }

@@ -131,6 +131,15 @@ namespace Contact
 
 
 
+    /// What the digits of a mesh file do not resolve [mm].
+    template<int dim>
+    double digits_of(const Surface<dim> &surface)
+    {
+      return 1e-9 * surface.reference_length(0);
+    }
+
+
+
     /// The piece that a place which does not go in by any was in front of: the
     /// closest one to begin with.
     const Piece *closest_at_start(const Point<2>           &x,
@@ -190,7 +199,7 @@ namespace Contact
                   continue;
                 const double depth = (entry->ends[0][1] - path[1]) *
                                      entry->outward() / entry->outward().norm();
-                if (depth > (deepest ? deepest->depth : 0.))
+                if (depth > (deepest ? deepest->depth : digits_of(surface)))
                   deepest = {is_master, surface.nodes[i].X, depth};
               }
         }
@@ -256,7 +265,7 @@ namespace Contact
           const auto       in    = obstacle.closest_point(start);
           const auto       out   = obstacle.closest_point(end);
           const double     depth = in.normal * (in.x - end);
-          if (depth > (deepest ? deepest->depth : 0.) &&
+          if (depth > (deepest ? deepest->depth : digits_of(slave)) &&
               in.normal * out.normal < 0 && goes_through(obstacle, start, end))
             deepest = {false, slave.nodes[i].X, depth};
         }

@@ -135,6 +135,56 @@ namespace Contact
 
 
 
+    /// The deepest place of the slave inside of an obstacle: between the nodes,
+    /// where each node has a point that looks there, else at nodes as well. Not
+    /// beside nodes that supports hold along the normal, which a note tells.
+    template<int dim>
+    void look_at_obstacle(const ContactPair<dim> &contact_pair,
+                          const GhostedVector    &u,
+                          const bool              as_drawn,
+                          ContactDepth<dim>      &deepest)
+    {
+      const Surface<dim>        &slave          = contact_pair.slave;
+      const Obstacle<dim>       &obstacle       = *contact_pair.obstacle;
+      const Discretization<dim> &discretization = contact_pair.discretization;
+      const bool at_nodes = !contact_pair.has_point_per_multiplier();
+      const auto is_held  = [&](const SurfaceFacet<dim> &facet,
+                               const Tensor<1, dim>    &normal) {
+        const double round_off = 1e-8;
+        for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+          if (discretization.free_part(slave.nodes[facet.nodes[a]].dofs, normal)
+                .norm() < round_off)
+            return true;
+        return false;
+      };
+      const auto places = places_of_facet<dim>(at_nodes);
+      for (unsigned int e = 0; e < slave.facets.size(); ++e)
+        for (const FacetPoint<dim> &xi : places)
+          {
+            const FacetShape<dim> shape(slave.degree, xi);
+            Point<dim>            x, X;
+            for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+              {
+                const unsigned int i = slave.facets[e].nodes[a];
+                x += shape.value[a] * slave.position(i, u);
+                X += shape.value[a] * slave.nodes[i].X;
+              }
+            const auto closest = obstacle.closest_point(x);
+            if (is_held(slave.facets[e], closest.normal))
+              continue;
+            const double h = // from corner to opposite corner
+              std::sqrt(dim - 1.) * slave.reference_length(e);
+            const double chord =
+              h <= closest.radius ? h * h / (8 * closest.radius) : 0.;
+            const double behind = (closest.x - x) * closest.normal;
+            const double depth  = as_drawn ? behind : behind - chord;
+            if (depth > deepest.depth)
+              deepest = {depth, false, X, e};
+          }
+    }
+
+
+
     /// Of those of all processes the deepest one.
     template<int dim>
     void compare(const MPI_Comm communicator, ContactDepth<dim> &deepest)
@@ -161,53 +211,6 @@ namespace Contact
 
 
   template<int dim>
-  void look_at_obstacle(const Surface<dim>  &slave,
-                        const Obstacle<dim> &obstacle,
-                        const GhostedVector &u,
-                        const bool           as_drawn,
-                        const bool           at_nodes,
-                        ContactDepth<dim>   &deepest)
-  {
-    const auto places = places_of_facet<dim>(at_nodes);
-    for (unsigned int e = 0; e < slave.facets.size(); ++e)
-      for (const FacetPoint<dim> &xi : places)
-        {
-          const FacetShape<dim> shape(slave.degree, xi);
-          Point<dim>            x, X;
-          for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-            {
-              const unsigned int i = slave.facets[e].nodes[a];
-              x += shape.value[a] * slave.position(i, u);
-              X += shape.value[a] * slave.nodes[i].X;
-            }
-          const auto   closest = obstacle.closest_point(x);
-          const double h       = // from corner to opposite corner
-            std::sqrt(dim - 1.) * slave.reference_length(e);
-          const double chord =
-            h <= closest.radius ? h * h / (8 * closest.radius) : 0.;
-          const double behind = (closest.x - x) * closest.normal;
-          const double depth  = as_drawn ? behind : behind - chord;
-          if (depth > deepest.depth)
-            deepest = {depth, false, X, e};
-        }
-  }
-
-  template void look_at_obstacle(const Surface<2> &,
-                                 const Obstacle<2> &,
-                                 const GhostedVector &,
-                                 const bool,
-                                 const bool,
-                                 ContactDepth<2> &);
-  template void look_at_obstacle(const Surface<3> &,
-                                 const Obstacle<3> &,
-                                 const GhostedVector &,
-                                 const bool,
-                                 const bool,
-                                 ContactDepth<3> &);
-
-
-
-  template<int dim>
   ContactDepth<dim> largest_depth(const ContactPair<dim> &contact_pair,
                                   const GhostedVector    &u,
                                   const bool              as_drawn)
@@ -223,12 +226,7 @@ namespace Contact
         compare(communicator, deepest);
       }
     else
-      look_at_obstacle(contact_pair.slave,
-                       *contact_pair.obstacle,
-                       u,
-                       as_drawn,
-                       /*at_nodes=*/!contact_pair.has_point_per_multiplier(),
-                       deepest);
+      look_at_obstacle(contact_pair, u, as_drawn, deepest);
     return deepest;
   }
 

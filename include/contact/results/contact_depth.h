@@ -43,16 +43,6 @@ namespace Contact
   ContactDepth<dim> largest_depth(const ContactPair<dim> &contact_pair,
                                   const GhostedVector    &u,
                                   const bool              as_drawn);
-
-  /// The deepest place of the slave inside of an obstacle, @p at_nodes or
-  /// between them: where each node has a point that one looks there.
-  template<int dim>
-  void look_at_obstacle(const Surface<dim>  &slave,
-                        const Obstacle<dim> &obstacle,
-                        const GhostedVector &u,
-                        const bool           as_drawn,
-                        const bool           at_nodes,
-                        ContactDepth<dim>   &deepest);
 } // namespace Contact
 
 #endif

@@ -79,7 +79,34 @@ namespace Contact
 
 
 
-  std::vector<double> SymmetryPlanes::bends(const Surface<3> &surface) const
+  namespace
+  {
+    /// Whether a node of a facet is on one of its sides.
+    bool is_on_side(const unsigned int a, const unsigned int side)
+    {
+      return node_place<3>(a)[side / 2] == (side % 2 == 0 ? -1 : 1);
+    }
+  } // namespace
+
+
+
+  // With its mirror image the surface goes on there.
+  bool SymmetryPlanes::is_in_plane(const Surface<3>      &surface,
+                                   const SurfaceFacet<3> &facet,
+                                   const unsigned int     side) const
+  {
+    return std::any_of(planes.begin(), planes.end(), [&](const Plane &plane) {
+      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+        if (is_on_side(a, side) && !is_on(plane, surface.nodes[facet.nodes[a]]))
+          return false;
+      return true;
+    });
+  }
+
+
+
+  std::vector<double> SymmetryPlanes::bends(const Surface<3> &surface,
+                                            const bool        with_ends) const
   {
     const GhostedVector       undeformed(discretization.distribution);
     const auto                means = facet_normals(surface, undeformed);
@@ -97,6 +124,21 @@ namespace Contact
           bends[node]             = std::max(bends[node],
                                  (own - mean[node] / mean[node].norm()).norm());
         }
+
+    if (!with_ends)
+      return bends;
+
+    // The body ends there, or it goes on with another side: by a right angle,
+    // half of it from either side to the mean.
+    const double half_of_right_angle = 2 * std::sin(numbers::PI / 8);
+    for (const SurfaceFacet<3> &facet : surface.facets)
+      for (unsigned int s = 0; s < 4; ++s)
+        if (facet.neighbors[s] == numbers::invalid_unsigned_int &&
+            !is_in_plane(surface, facet, s))
+          for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+            if (is_on_side(a, s))
+              bends[facet.nodes[a]] =
+                std::max(bends[facet.nodes[a]], half_of_right_angle);
     return bends;
   }
 } // namespace Contact

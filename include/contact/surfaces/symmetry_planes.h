@@ -33,7 +33,8 @@ namespace Contact
     /// By node of the undeformed surface, the largest angle [rad] between a
     /// facet there and the mean, that of all facets around an edge or a corner,
     /// too.
-    std::vector<double> bends(const Surface<3> &surface) const;
+    std::vector<double> bends(const Surface<3> &surface,
+                              const bool        with_ends) const;
 
   private:
     struct Plane
@@ -45,6 +46,9 @@ namespace Contact
     };
 
     bool is_on(const Plane &plane, const SurfaceNode<3> &node) const;
+    bool is_in_plane(const Surface<3>      &surface,
+                     const SurfaceFacet<3> &facet,
+                     const unsigned int     side) const;
 
     const Discretization<3> &discretization;
     std::vector<Plane>       planes;
