@@ -7,17 +7,16 @@ Proves, for the scenes of the folders `plane` and `space`, that
 
 - forces on a concave slave are those on the convex one, within the error of the
   mesh, and those of the block that touches the floor alone; turned scenes have the
-  forces of those as drawn, also where the turn is part of the motion;
-- scenes with teeth, a corner over two rims, glue beside friction and a ball between
-  plates converge in at most 60 Newton steps an increment;
+  forces of those as drawn;
+- scenes with teeth, and glue beside friction, converge in at most 60 Newton steps
+  an increment;
 - no shear is reported without friction, and the pressure is continuous over a line
   where several contact pairs meet;
 - the nodal discretization has the force of the mortar discretization where a corner
   lies over a corner, or reports that the bodies overlap;
 
 and for those of the folder `reports` that tubes under a moment have the rotation of
-another program, pairs that share a node have the uniform pressure, and a block that
-is dragged up a ramp goes to the end, or the message names the node that stops it.
+another program, and pairs that share a node have the uniform pressure.
 
 Usage: corner_faults.py CONTACT PARAMETERS MESHES [PART OF A NAME ...]
 Folder: SCENES_DIRECTORY, or ../scenes beside REFERENCE_DIRECTORY, which is
@@ -216,28 +215,6 @@ def glue_beside_friction():
     Result("space/glue_beside_friction/gp_a").converges()
 
 
-def corner_turned():
-    Result("space/corner_turned/cornrot").converges()
-
-
-def ball_between_plates():
-    Result("space/ball_between_plates/ballpl0").converges()
-
-
-def turned_in_two():
-    """By 90 degrees about z, behind the same motion."""
-    still, turned = (Result(f"space/turned_in_two/{name}_zmortar1_0.2_2")
-                     for name in ("obj0", "obj"))
-    if all([still.converges(), turned.converges()]):
-        forces = [[row[f"contact_force_{c}_N"] for c in "xyz"]
-                  for row in still.table("nodes")]
-        back = [[row["contact_force_y_N"], -row["contact_force_x_N"],
-                 row["contact_force_z_N"]] for row in turned.table("nodes")]
-        worst = max(map(math.dist, forces, back)) / \
-            max(math.hypot(*force) for force in forces)
-        check(f"  forces of contact: off by {worst:.1e}", worst < 1e-6)
-
-
 def tubes_crash():
     result = Result("reports/tubes_crash/m")
     check("reports/tubes_crash: no error of the program", result.status != 4,
@@ -261,26 +238,10 @@ def pairs_share_node():
         check(f"  uniform pressure: off by {worst:.1e}", worst < 1e-4)
 
 
-def ramp_friction():
-    result = Result("reports/ramp_friction/m")
-    if result.status == 0:
-        check("reports/ramp_friction: goes to the end",
-              result.increments[-1]["load_factor"] == 1)
-        found = result.summary["contact"]
-        nearly("  shear over pressure", found["tangential_force"],
-               0.5 * found["normal_force"], 0.02)
-        return
-    check("reports/ramp_friction: the message names the place",
-          result.status == 3 and "node" in result.said and "X = (" in result.said
-          and not re.search(r"e\+[23]\d", result.said),
-          f"{result.status} {result.said[-500:]}")
-
-
 scenes = (concave_corner_a3, concave_corner_b3, tongue_in_groove_b,
           tongue_in_groove_d, teeth, frictionless_shear_reported, block_in_tray,
           beside_wall, tslot_turned, nodal_corner, shared_line_pressure,
-          glue_beside_friction, corner_turned, ball_between_plates, turned_in_two,
-          tubes_crash, pairs_share_node, ramp_friction)
+          glue_beside_friction, tubes_crash, pairs_share_node)
 if not all((folder / part).is_dir() for part in ("plane", "space", "reports")):
     print(f"skipped: no scenes in {folder}/plane, space and reports")
     sys.exit(0)

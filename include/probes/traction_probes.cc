@@ -109,10 +109,14 @@ namespace Contact
           PlaceOnSlave<dim> here{contact_pair.get(), {}};
           for (const auto &[dof, weight] : place.unknowns[0])
             {
-              const unsigned int n = node_with(contact_pair->slave, dof);
-              if (n != numbers::invalid_unsigned_int &&
-                  !contact_pair->pressure_at(n).empty())
-                here.nodes.emplace_back(n, weight);
+              const auto &nodes = contact_pair->slave.nodes;
+              const auto  found =
+                std::find_if(nodes.begin(), nodes.end(), [&](const auto &node) {
+                  return node.dofs[0] == dof &&
+                         !contact_pair->pressure_at(&node - &nodes[0]).empty();
+                });
+              if (found != nodes.end())
+                here.nodes.emplace_back(found - nodes.begin(), weight);
             }
           if (here.nodes.size() == place.unknowns[0].size())
             found.push_back(here);

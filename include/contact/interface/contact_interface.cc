@@ -340,97 +340,6 @@ namespace Contact
 
 
 
-  template<>
-  Tensor<2, 2>
-  ContactInterface<2>::spin_since_start(const ContactPoint<2> &,
-                                        const GhostedVector &,
-                                        const GhostedVector &) const
-  {
-    return Tensor<2, 2>(unit_symmetric_tensor<2>());
-  }
-
-
-
-  namespace
-  {
-    /// The tangents of a facet at one of its nodes.
-    std::array<Tensor<1, 3>, 2> tangents_at(const Surface<3>    &surface,
-                                            const unsigned int   e,
-                                            const Point<2>      &xi,
-                                            const GhostedVector &u)
-    {
-      const FacetShape<3>         shape(surface.degree, xi);
-      std::array<Tensor<1, 3>, 2> t;
-      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-        for (unsigned int k = 0; k < 2; ++k)
-          t[k] += shape.derivative(a, k) *
-                  surface.position(surface.facets[e].nodes[a], u);
-      return t;
-    }
-  } // namespace
-
-
-
-  // Of the gradient F of the deformation of the surface since the start, with
-  // the tangents b of the start turned by the shortest way into the tangent
-  // plane of now, the rotation of its polar decomposition: about the normal by
-  // the angle whose tangent is n . sum a_i x b^i over sum a_i . b^i. In the
-  // mean of the facets around the node. Obstacles turn by themselves.
-  template<>
-  Tensor<2, 3>
-  ContactInterface<3>::spin_since_start(const ContactPoint<3> &point,
-                                        const GhostedVector   &solution,
-                                        const GhostedVector   &u_start) const
-  {
-    const Tensor<2, 3>    one(unit_symmetric_tensor<3>());
-    const ContactPair<3> &pair = contact_pair(point);
-    if (paired_undeformed || pair.tied || !pair.master || !has_friction(point))
-      return one;
-    const Surface<3> &slave = pair.slave;
-    double            sine = 0, cosine = 0;
-    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-      if (node_place<3>(a) == point.slave_xi)
-        {
-          const unsigned int node = slave.facets[point.slave_facet].nodes[a];
-          for (const unsigned int e : slave.facets_of_node[node])
-            {
-              const auto &nodes = slave.facets[e].nodes;
-              const auto  xi    = node_place<3>(
-                std::find(nodes.begin(), nodes.end(), node) - nodes.begin());
-              const auto         now   = tangents_at(slave, e, xi, solution);
-              auto               start = tangents_at(slave, e, xi, u_start);
-              const Tensor<1, 3> n     = outward_normal(now),
-                                 n0    = outward_normal(start);
-              const Tensor<1, 3> m = n / n.norm(), m0 = n0 / n0.norm();
-              for (Tensor<1, 3> &b : start)
-                b -= (b * m) / (1 + m * m0) * (m + m0);
-              const auto dual = dual_basis(start);
-              for (unsigned int k = 0; k < 2; ++k)
-                {
-                  sine += m * cross_product_3d(dual[k], now[k]);
-                  cosine += now[k] * dual[k];
-                }
-            }
-        }
-    const double size = std::hypot(sine, cosine);
-    if (size == 0)
-      return one;
-    const Tensor<1, 3> &n = point.normal;
-    Tensor<2, 3>        spin =
-      cosine / size * (one - outer_product(n, n)) + outer_product(n, n);
-    for (unsigned int i = 0; i < 3; ++i)
-      {
-        const Tensor<1, 3> across =
-          cross_product_3d(n, Tensor<1, 3>(Point<3>::unit_vector(i)));
-        // The slave's normal is opposite to that of the point.
-        for (unsigned int k = 0; k < 3; ++k)
-          spin[k][i] -= sine / size * across[k];
-      }
-    return spin;
-  }
-
-
-
   template<int dim>
   ContactState<dim>
   ContactInterface<dim>::state(const ContactPoint<dim> &point,
@@ -448,17 +357,6 @@ namespace Contact
           r[i] += point.C[a] * (tied ? u : point.X(a)[i] + u);
           dr[i] += point.C[a] * (u - u_start[point.dofs(a)[i]]);
         }
-
-    if (dim == 3 && has_friction(point))
-      {
-        const Tensor<2, dim> spin = spin_since_start(point, solution, u_start);
-        Tensor<1, dim>       start;
-        for (unsigned int a = 0; a < point.n_nodes; ++a)
-          for (unsigned int i = 0; i < dim; ++i)
-            start[i] +=
-              point.C[a] * (point.X(a)[i] + u_start[point.dofs(a)[i]]);
-        dr += start - spin * start;
-      }
 
     ContactState<dim> state{};
     for (unsigned int k = 0; k < point.motions.size(); ++k)

@@ -396,12 +396,6 @@ namespace Contact
                             const GhostedVector     &solution,
                             const GhostedVector     &u_start) const;
 
-    /// The rotation of the slave about the normal of a point since the
-    /// increment's start, with which slip turns; in space.
-    Tensor<2, dim> spin_since_start(const ContactPoint<dim> &point,
-                                    const GhostedVector     &solution,
-                                    const GhostedVector     &u_start) const;
-
   private:
     /// The direction of slip of a point that cannot stick.
     typename PointStatus<dim>::Direction
@@ -441,19 +435,6 @@ namespace Contact
     std::vector<unsigned int> tangential_number;
     unsigned int              n_tangential = 0;
   };
-
-
-
-  template<>
-  Tensor<2, 2>
-  ContactInterface<2>::spin_since_start(const ContactPoint<2> &point,
-                                        const GhostedVector   &solution,
-                                        const GhostedVector   &u_start) const;
-  template<>
-  Tensor<2, 3>
-  ContactInterface<3>::spin_since_start(const ContactPoint<3> &point,
-                                        const GhostedVector   &solution,
-                                        const GhostedVector   &u_start) const;
 
 
 

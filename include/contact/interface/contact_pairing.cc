@@ -161,7 +161,6 @@ namespace Contact
         const auto normals = slave.facet_normals(u);
         for (ContactPoint<dim> &point : points)
           {
-            take_tangents_along(point, slave, u);
             pair_with_obstacle(point, *obstacle, discretization, u);
             NormalCone<dim> here = directions(point, normals, u);
             if (!here.others.empty())
@@ -194,7 +193,6 @@ namespace Contact
     for (ContactPoint<dim> &point : points)
       {
         const auto old_nodes = point.nodes;
-        take_tangents_along(point, slave, u);
         pair_with_master(point,
                          directions(point, normals, u),
                          *master,

@@ -291,7 +291,6 @@ namespace Contact
     point.projection = Point<3>();
     point.facing     = integrals.weight > 0;
     point.normal     = normal(integrals, node, now);
-    take_tangents_along(point, slave, u);
     if (!point.facing)
       {
         point.weight = face_integrals.shares_of(point.slave_facet)[0];

@@ -252,32 +252,6 @@ namespace Contact
 
 
 
-  void take_tangents_along(ContactPoint<2> &,
-                           const Surface<2> &,
-                           const GhostedVector &)
-  {
-  }
-
-
-
-  // The longer diagonal of the facet: the same one however it deforms.
-  void take_tangents_along(ContactPoint<3>     &point,
-                           const Surface<3>    &slave,
-                           const GhostedVector &u)
-  {
-    const auto &nodes = slave.facets[point.slave_facet].nodes;
-    const auto  far   = [&](const unsigned int a, const unsigned int b) {
-      return slave.nodes[nodes[a]].X.distance(slave.nodes[nodes[b]].X);
-    };
-    const auto [a, b] =
-      far(0, 3) >= far(1, 2) ? std::make_pair(0, 3) : std::make_pair(1, 2);
-    const Tensor<1, 3> along =
-      slave.position(nodes[b], u) - slave.position(nodes[a], u);
-    point.tangents[0] = along / along.norm();
-  }
-
-
-
   template<int dim>
   Point<dim> slave_position(const ContactPoint<dim> &point,
                             const GhostedVector     &u)

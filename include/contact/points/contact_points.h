@@ -147,16 +147,6 @@ namespace Contact
   void set_tangents(ContactPoint<2> &point);
   void set_tangents(ContactPoint<3> &point);
 
-  /// Let the first tangent in space be along the slave's material, before the
-  /// point is paired: shear and slip have to turn with the bodies, also about
-  /// the normal.
-  void take_tangents_along(ContactPoint<2>     &point,
-                           const Surface<2>    &slave,
-                           const GhostedVector &u);
-  void take_tangents_along(ContactPoint<3>     &point,
-                           const Surface<3>    &slave,
-                           const GhostedVector &u);
-
   /// The direction in which a point of the slave looks for the master, by the
   /// normals of Surface::facet_normals.
   NormalCone<2> directions_of(const ContactPoint<2> &point,

@@ -55,6 +55,19 @@ namespace Contact
 
 
 
+    /// Whether a place is on the overhang of a facet beyond its end.
+    bool is_beyond(const double xi)
+    {
+      return std::abs(xi) > 1;
+    }
+
+    bool is_beyond(const Point<2> &xi)
+    {
+      return is_beyond(xi[0]) || is_beyond(xi[1]);
+    }
+
+
+
     /// By how much each facet may be beside the surface that it stands for, by
     /// the angles between the facets that meet smoothly at its nodes: the
     /// sagitta. Corners and ends stand for themselves.
@@ -120,7 +133,8 @@ namespace Contact
             const auto projection =
               search.closest_facing(x, straight_ahead(own.normal(e, xi)));
             const unsigned int f = projection.facet;
-            if (projection.off_the_end || projection.clipped)
+            if (projection.off_the_end || projection.clipped ||
+                is_beyond(projection.xi))
               continue;
             const double behind = -((x - search.position(projection)) *
                                     search.normal(f, projection.xi));

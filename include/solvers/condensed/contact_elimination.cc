@@ -230,17 +230,15 @@ namespace Contact
       return sum;
     const Tensor<1, dim> along =
       point.along_tangents(point.tangential_part(direction));
-    // x - spin x_start, along the tangents
-    const Tensor<1, dim> along_at_start =
-      transpose(interface->spin_since_start(point, solution, u_start)) * along;
+    const Tensor<1, dim> across = direction - along;
     for (unsigned int a = 0; a < point.change.slide.size(); ++a)
       {
         double way = 0;
         for (unsigned int i = 0; i < dim; ++i)
           {
             const auto dof = point.dofs(a)[i];
-            way += direction[i] * (point.X(a)[i] + solution[dof]) -
-                   along_at_start[i] * (point.X(a)[i] + u_start[dof]);
+            way += across[i] * (point.X(a)[i] + solution[dof]) +
+                   along[i] * (solution[dof] - u_start[dof]);
           }
         sum += way * point.change.slide[a];
       }
