@@ -26,6 +26,18 @@ namespace Contact
       else
         return q / q.norm();
     }
+
+
+
+    // On a deformable master in space the tangents of points of one node are
+    // left to the elimination: the shear of a point that other normals hold may
+    // be what presses the node against them, and without it the active set
+    // finds no end.
+    template<int dim>
+    bool gives_tangents_up(const ContactPair<dim> &contact_pair)
+    {
+      return dim == 2 || !contact_pair.master;
+    }
   } // namespace
 
 
@@ -47,7 +59,8 @@ namespace Contact
   void ContactInterface<dim>::release_held()
   {
     for (const auto &[q, others] : frames.others())
-      if (is_held_by_others(q, [this](const unsigned int point) {
+      if (gives_tangents_up(contact_pair(all_points[q])) &&
+          is_held_by_others(q, [this](const unsigned int point) {
             return all_points[point].status;
           }))
         all_points[q].status = {Status::slip, {}};
@@ -61,10 +74,11 @@ namespace Contact
   {
     if (dim == 3)
       for (const auto &[q, others] : frames.others())
-        all_points[q].held_slips =
-          frames.held_slips(all_points, q, [this](const unsigned int point) {
-            return all_points[point].status;
-          });
+        if (gives_tangents_up(contact_pair(all_points[q])))
+          all_points[q].held_slips =
+            frames.held_slips(all_points, q, [this](const unsigned int point) {
+              return all_points[point].status;
+            });
   }
 
 
@@ -308,7 +322,8 @@ namespace Contact
     std::vector<PointStatus<dim>> updated =
       gathered(of_rank, discretization.communicator);
     for (const auto &[q, others] : frames.others())
-      if (is_held_by_others(q, [&](const unsigned int point) {
+      if (gives_tangents_up(contact_pair(all_points[q])) &&
+          is_held_by_others(q, [&](const unsigned int point) {
             return updated[point];
           }))
         updated[q] = {Status::slip, {}};
