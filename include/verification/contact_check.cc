@@ -213,10 +213,10 @@ namespace Contact
         ? "The slave's edges are too long to see a corner of the "
           "master: exchange slave and master, or refine the slave."
         : "No contact point looks there: refine the mesh.";
-    if (acts || ends_run || depth > half(way))
+    if (ends_run || depth > half(way))
       found.check("depth", depth, half(scale), what, advice);
     else
-      found.notes.push_back("depth: " + what + " yet. " + advice);
+      found.notes.push_back("depth: " + what + ". " + advice);
   }
 
 

@@ -116,11 +116,12 @@ namespace Contact
    * On a mesh that is too coarse the discrete conditions may hold while places
    * between the contact points are deep inside of the other body, or of an
    * obstacle. It is a violation if one is deeper than it was undeformed by more
-   * than half of what the bodies deform by, without their rigid motions. Where
-   * no force acts that is what the surfaces deform by, and before the end of a
-   * run what they move by: a way until they touch must not hide it. Overlaps
-   * that polygons or the mesh have to begin with count where no force acts in
-   * the whole contact pair. A node that
+   * than half of what the bodies deform by, without their rigid motions, and
+   * where no force acts by what the surfaces deform by: a way until they touch
+   * must not hide it. Before the end of a run, when they may not have deformed
+   * yet, it is a note unless it is half of what the surfaces move by as well.
+   * Overlaps that polygons or the mesh have to begin with count where no force
+   * acts in the whole contact pair. A node that
    * goes through the other body in an increment is a violation, see
    * find_crossing().
    */

@@ -166,7 +166,7 @@ namespace Contact
       return of.master && !of.interference->at && of.free_motions.empty();
     };
     const double cosine =
-      std::cos(numbers::PI / 180 * Surface<dim>::feature_angle);
+      std::cos(numbers::PI / 360 * Surface<dim>::feature_angle);
     return a.normal * b.normal > cosine && are_on_one_body(a, b) &&
            (&of_a == &of_b || (simple(of_a) && simple(of_b) &&
                                of_a.is_mortar() == of_b.is_mortar() &&

@@ -26,7 +26,7 @@ namespace Contact
    * 1. Glue holds the node in all directions. Other points of the node face
    *    nothing.
    * 2. Points that face one smooth surface are *joined*: their normals are
-   *    closer than Surface::feature_angle, and so are the faces that they see,
+   *    closer than half of Surface::feature_angle, as on curves that are drawn,
    *    however the groups of slave and master are cut. The first one has the
    *    mean of their equations, with their weights,
    *      C = sum_i w_i C_i / sum_i w_i,   w = sum_i w_i,

@@ -11,6 +11,7 @@
 #include <array>
 #include <boost/serialization/array.hpp>
 #include <cmath>
+#include <limits>
 
 namespace Contact
 {
@@ -69,15 +70,15 @@ namespace Contact
 
 
     /// By how much each facet may be beside the surface that it stands for, by
-    /// the angles between the facets that meet smoothly at its nodes: the
-    /// sagitta. Corners and ends stand for themselves.
+    /// the angles between the facets that meet smoothly at its nodes, as drawn:
+    /// the sagitta. Corners and ends stand for themselves.
     template<int dim>
-    std::vector<double> sagittas(const Surface<dim>       &surface,
-                                 const SurfaceSearch<dim> &own,
-                                 const GhostedVector      &u)
+    std::vector<double> sagittas(const Surface<dim>  &surface,
+                                 const GhostedVector &undeformed)
     {
-      const auto          means = surface.facet_normals(u);
-      std::vector<double> sagittas(surface.facets.size(), 0.);
+      const SurfaceSearch<dim> own(surface, undeformed);
+      const auto               means = surface.facet_normals(undeformed);
+      std::vector<double>      sagittas(surface.facets.size(), 0.);
       for (unsigned int e = 0; e < surface.facets.size(); ++e)
         for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
           {
@@ -94,21 +95,35 @@ namespace Contact
 
 
 
+    /// The largest displacement of a node [mm].
+    template<int dim>
+    double largest_way(const Surface<dim> &surface, const GhostedVector &u)
+    {
+      double largest = 0;
+      for (unsigned int i = 0; i < surface.nodes.size(); ++i)
+        largest = std::max(largest,
+                           surface.position(i, u).distance(surface.nodes[i].X));
+      return largest;
+    }
+
+
+
     /// The deepest place of @p surface. Each process looks at its share of the
-    /// facets. A place further behind the other surface than its facet is long
-    /// has come there around it.
+    /// facets. A place further behind the other surface than its facet is long,
+    /// or than the surfaces have moved, has come there around it.
     template<int dim>
     void look(const Surface<dim>  &surface,
               const Surface<dim>  &other,
               const bool           is_master,
               const MPI_Comm       communicator,
+              const double         reach,
               const GhostedVector &u,
               const bool           as_drawn,
               ContactDepth<dim>   &deepest)
     {
       const SurfaceSearch<dim> own(surface, u), search(other, u);
-      const auto               of_own = sagittas(surface, own, u),
-                 of_other             = sagittas(other, search, u);
+      const auto               of_own = sagittas(surface, u.zero()),
+                 of_other             = sagittas(other, u.zero());
       double longest                  = 0;
       for (unsigned int f = 0; f < other.facets.size(); ++f)
         longest = std::max(longest, other.reference_length(f));
@@ -138,7 +153,8 @@ namespace Contact
               continue;
             const double behind = -((x - search.position(projection)) *
                                     search.normal(f, projection.xi));
-            if (behind <= 0 || behind >= other.reference_length(f))
+            if (behind <= 0 ||
+                behind >= std::min(reach, other.reference_length(f)))
               continue;
             const double depth =
               as_drawn ? behind : behind - of_own[e] - of_other[f];
@@ -184,7 +200,7 @@ namespace Contact
                 X += shape.value[a] * slave.nodes[i].X;
               }
             const auto closest = obstacle.closest_point(x);
-            if (is_held(slave.facets[e], closest.normal))
+            if (!as_drawn && is_held(slave.facets[e], closest.normal))
               continue;
             const double h = // from corner to opposite corner
               std::sqrt(dim - 1.) * slave.reference_length(e);
@@ -235,8 +251,12 @@ namespace Contact
       {
         const Surface<dim> &slave  = contact_pair.slave,
                            &master = *contact_pair.master;
-        look(slave, master, false, communicator, u, as_drawn, deepest);
-        look(master, slave, true, communicator, u, as_drawn, deepest);
+        const double reach = as_drawn ? std::numeric_limits<double>::max()
+                                      : largest_way(slave, u) +
+                                          largest_way(master, u) +
+                                          contact_pair.interference->at_start;
+        look(slave, master, false, communicator, reach, u, as_drawn, deepest);
+        look(master, slave, true, communicator, reach, u, as_drawn, deepest);
         compare(communicator, deepest);
       }
     else
