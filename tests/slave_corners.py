@@ -318,7 +318,11 @@ def short_master():
                     "Contact/Discretization": rule,
                     "Boundary conditions/Displacement x": "Base: 0, Z: 0",
                     "Boundary conditions/Displacement y": "Base: 0, Top: -0.01"})
-                width = summary["contact"]["width"] if status == 0 else 0
+                # Between two nodes of the slave the end of the master may go down.
+                is_told = status == 1 and rule == "nodal" and \
+                    "violated: depth" in said
+                width = summary["contact"]["width"] if status == 0 or is_told \
+                    else 0
                 check(f"{n} edges, degree {degree}, {rule}: no wider than the "
                       "master, up to half an edge less",
                       2 - 3 / n < width < 2.01, f"{width} {said[-300:]}")
