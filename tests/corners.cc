@@ -243,9 +243,7 @@ namespace
     check("the corner faces the ground by its sides",
           n == sees(angle) + sees(90 - angle));
     check_small("the normal beside that of the ground", sideways, 1e-12);
-    check_small("the gap is the height of the corner",
-                off,
-                1e-12);
+    check_small("the gap is the height of the corner", off, 1e-12);
   }
 
 

@@ -520,6 +520,7 @@ def solved(what, scene, settings, entries, cut, most_steps=MOST_STEPS, **more):
 # a point for the closer one alone.
 UNSOLVED = {("2-D", "groove with rims", "In", "mortar", 0.3),
             ("2-D", "corner, from touch", "In", "nodal", 0),
+            ("3-D", "corner of two walls", "In", "nodal", 0),
             ("3-D", "beside a wall", "In", "nodal", 0.3),
             ("3-D", "cap", "Out", "mortar", 0.3),
             ("3-D", "lid", "In", "mortar", 0.3),
