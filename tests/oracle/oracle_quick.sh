@@ -39,11 +39,13 @@ space=space_blocks,space_reversal,space_overlap,space_corner,space_sphere
 # other force than that of an obstacle.
 # Not "seal 17" any more: the seal's cap passes between the nodes of lid and floor
 # for a third of the load, which is a violation. Nor "comb 17": its points face two
-# places of the master in turn, which is not converged (nodal; mortar is).
+# places of the master in turn, which is not converged (nodal; mortar is). Nor
+# "space_stack 31003": with the nodal discretization a corner of the master goes down
+# between two nodes, which is a violation.
 "$here/oracle.py" --variants 0.25 --strict --keep oracle --scenes "seal 10,
   seal 23, cylinders 19, cylinders 24, cylinders 28, shaft 19, beam_contact 1,
   carried 28, corner 0, corner 4, corner 7, corner 18, corner 27, sphere 11,
   beam_contact 25, eccentric 15, space_corner 14, space_beam 7000,
   space_shrink 7001, space_two_on_one 7004, space_carried 9000, space_edge 9000,
-  space_stack 31003, space_balls 63001, space_reversal 63002, moved 3, moved 114,
+  space_balls 63001, space_reversal 63002, moved 3, moved 114,
   driven 107, rigid_end 112" "$1"
