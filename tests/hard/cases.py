@@ -128,7 +128,8 @@ CASES = [
     Case("space_swapped"),
     Case("space_fine_slave"),
     Case("space_fine_master", unsolved=("nodal",)),
-    Case("space_overlap", quick=True),
+    # Nodal: corners of the master go down between two nodes, which is violated.
+    Case("space_overlap", quick=True, unsolved=("nodal",)),
     Case("space_rim"),
     Case("space_rim_off", force_free=1e-8),
     Case("space_reversal", full_slip=0.3),
