@@ -603,7 +603,7 @@ def concave_corner():
                     f"increments {n}, {'one surface' if one else 'by sides'}"
                     f"{', friction' if friction else ''}")
             # With long edges corners of the master go down between the nodes.
-            is_told = exchanged and degree == 1 and status == 1 and \
+            is_told = exchanged and degree == "1" and status == 1 and \
                 said.count("violated: ") == said.count("violated: depth")
             check(what + ": converges", status == 0 or is_told, said[-400:])
             if status == 0 or is_told:

@@ -11,7 +11,8 @@ a build with sanitizers, see README.md here. Reports are DIR/scenes.md,
 space_scenes.md, damaged.md, damaged_space.md, and the same as .csv, DIR being
 output/fuzz if not told. Exit status: 0, or 1 if a run
 crashed, hung, was answered badly, or converged to what can not be true, or if
-less than SHARE of the scenes converged.
+less than SHARE of the scenes converged or had a mesh that the program calls too
+coarse (a violated depth).
 """
 import argparse
 import pathlib
