@@ -63,13 +63,11 @@ namespace
     std::vector<ContactPoint<2>>
     project(std::vector<ContactPoint<2>> points) const
     {
-      const SurfaceSearch<2> search(master, u);
-      const auto             normals = slave.facet_normals(u);
+      const DeformedSurface<2> slave_now(slave, u), master_now(master, u);
       for (ContactPoint<2> &point : points)
         pair_with_master(point,
-                         directions_of(point, slave, normals),
-                         master,
-                         search,
+                         directions_of(point, slave_now),
+                         master_now,
                          discretization,
                          u);
       return points;

@@ -8,7 +8,7 @@
 // surface reach as far as the documented overhang and no further; and that at
 // a corner the corner is found.
 
-#include "contact/surfaces/surface_search.h"
+#include "contact/surfaces/deformed_surface.h"
 #include "tests.h"
 
 using namespace Tests;
@@ -27,13 +27,13 @@ namespace
     });
     const Bodies bodies(
       make_parameters(mesh, {"block"}, degree, "small strain"));
-    const Surface<2>       surface = bodies.surface("block bottom");
-    const Tensor<2, 2>     R       = rotation(numbers::PI / 6);
-    const Point<2>         origin(3, -2);
-    const SurfaceSearch<2> search(surface,
-                                  bodies.displacement([&](const Point<2> &X) {
-                                    return origin + R * X;
-                                  }));
+    const Surface<2>         surface = bodies.surface("block bottom");
+    const Tensor<2, 2>       R       = rotation(numbers::PI / 6);
+    const Point<2>           origin(3, -2);
+    const DeformedSurface<2> search(surface,
+                                    bodies.displacement([&](const Point<2> &X) {
+                                      return origin + R * X;
+                                    }));
 
     double error      = 0;
     bool   right_edge = true, clamped = true, faces = true;
@@ -119,14 +119,14 @@ namespace
     MeshText mesh;
     mesh.block("block", 1, 1, rectangle({-1, 0}, {1, 1}));
     const Bodies bodies(make_parameters(mesh, {"block"}, 2, "small strain"));
-    const Surface<2>       surface = bodies.surface("block bottom");
-    const Tensor<2, 2>     R       = rotation(2.);
-    const SurfaceSearch<2> search(surface,
-                                  bodies.displacement([&](const Point<2> &X) {
-                                    return Point<2>(
-                                      R *
-                                      Point<2>(X[0], X[1] + k * X[0] * X[0]));
-                                  }));
+    const Surface<2>         surface = bodies.surface("block bottom");
+    const Tensor<2, 2>       R       = rotation(2.);
+    const DeformedSurface<2> search(surface,
+                                    bodies.displacement([&](const Point<2> &X) {
+                                      return Point<2>(
+                                        R *
+                                        Point<2>(X[0], X[1] + k * X[0] * X[0]));
+                                    }));
 
     double       near = 0, far = 0;
     bool         ends_right = true;
@@ -142,7 +142,7 @@ namespace
                                      : random(-2, 0.95 / (2 * k)));
         const double        projection = foot_on_parabola(k, p);
         const Projection<2> found      = search.closest_point(Point<2>(R * p));
-        const double        reach      = 1 + SurfaceSearch<2>::overhang;
+        const double        reach      = 1 + DeformedSurface<2>::overhang;
         const double        error =
           std::abs(found.xi - std::max(-reach, std::min(reach, projection)));
         (is_far ? far : near) = std::max(is_far ? far : near, error);
@@ -169,12 +169,12 @@ namespace
     mesh.block("block", 2, 1, rectangle({-1, 0}, {1, 1}));
     const Bodies bodies(
       make_parameters(mesh, {"block"}, degree, "small strain"));
-    const Surface<2>       surface = bodies.surface("block bottom");
-    const SurfaceSearch<2> search(surface,
-                                  bodies.displacement([&](const Point<2> &X) {
-                                    return Point<2>(X[0],
-                                                    X[1] + std::abs(X[0]));
-                                  }));
+    const Surface<2>         surface = bodies.surface("block bottom");
+    const DeformedSurface<2> search(surface,
+                                    bodies.displacement([&](const Point<2> &X) {
+                                      return Point<2>(X[0],
+                                                      X[1] + std::abs(X[0]));
+                                    }));
 
     // The surface is y = |x|, the body lies above: outside is the convex side.
     bool corner_found = true;

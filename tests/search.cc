@@ -10,7 +10,7 @@
 
 #include <limits>
 
-#include "contact/surfaces/surface_search.h"
+#include "contact/surfaces/deformed_surface.h"
 #include "tests.h"
 
 using namespace Tests;
@@ -27,12 +27,12 @@ namespace
     const Surface<2> surface = bodies.surface("block bottom");
 
     // A wavy spiral of a little more than one turn.
-    const GhostedVector    u = bodies.displacement([](const Point<2> &X) {
+    const GhostedVector      u = bodies.displacement([](const Point<2> &X) {
       const double angle  = 7.2 * X[0];
       const double radius = 1 + 0.16 * X[0] + 0.04 * std::sin(5 * angle);
       return Point<2>(radius * std::cos(angle), radius * std::sin(angle));
     });
-    const SurfaceSearch<2> search(surface, u);
+    const DeformedSurface<2> search(surface, u);
 
     std::vector<Point<2>> samples;
     for (const auto &edge : surface.facets)

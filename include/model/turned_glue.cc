@@ -88,8 +88,10 @@ namespace Contact
   void TurnedGlue<dim>::turn(const ContactPair<dim>         &contact_pair,
                              std::vector<ContactPoint<dim>> &points)
   {
-    const auto drawn_normals = contact_pair.slave.normals(solution.zero());
-    const auto normals       = contact_pair.slave.normals(solution);
+    const auto drawn_normals =
+      DeformedSurface<dim>(contact_pair.slave, {}).normals();
+    const auto normals =
+      DeformedSurface<dim>(contact_pair.slave, solution).normals();
     std::map<NodeDoFs<dim>, unsigned int> nodes;
     for (unsigned int n = 0; n < contact_pair.slave.nodes.size(); ++n)
       nodes[contact_pair.slave.nodes[n].dofs] = n;

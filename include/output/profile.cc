@@ -297,11 +297,11 @@ namespace Contact
     const Surface<dim> &master = *contact_pair.master;
     auto rows = make_rows(master, discretization, vertex_stresses, solution);
 
-    const SurfaceSearch<dim> search(contact_pair.slave, solution);
+    const DeformedSurface<dim> slave_now(contact_pair.slave, solution);
     for (unsigned int n = 0; n < rows.size(); ++n)
       {
         const Projection<dim> place =
-          search.closest_point(master.position(n, solution));
+          slave_now.closest_point(master.position(n, solution));
         if (!place.off_the_end)
           interpolate(contact_pair.slave, slave, place, rows[n]);
       }

@@ -27,7 +27,7 @@ namespace Contact
       const auto &n = facet.nodes;
       for (unsigned int s = 0; s < 4; ++s)
         {
-          const auto [a, b] = SurfaceFacet<3>::corners_of_side[s];
+          const auto [a, b] = corners_of_side[s];
           values[n[4 + s]]  = 0.5 * (values[n[a]] + values[n[b]]);
         }
       values[n[8]] =
@@ -104,15 +104,12 @@ namespace Contact
   {
     const auto stresses =
       node_stresses(surface, discretization, vertex_stresses);
-    const auto              normals = surface.normals(u);
-    std::vector<Point<dim>> reference, deformed;
-    for (unsigned int i = 0; i < surface.nodes.size(); ++i)
-      {
-        reference.push_back(surface.nodes[i].X);
-        deformed.push_back(surface.position(i, u));
-      }
-    const auto arc_length          = arc_lengths(surface, reference);
-    const auto deformed_arc_length = arc_lengths(surface, deformed);
+    const DeformedSurface<dim> now(surface, u);
+    const auto                 normals    = now.normals();
+    const auto                &deformed   = now.positions;
+    const auto                 reference  = surface.positions({});
+    const auto                 arc_length = arc_lengths(surface, reference);
+    const auto deformed_arc_length        = arc_lengths(surface, deformed);
 
     std::vector<ProfileRow<dim>> rows(surface.nodes.size());
     for (unsigned int n = 0; n < rows.size(); ++n)

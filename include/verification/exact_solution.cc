@@ -21,13 +21,11 @@ namespace Contact
   namespace
   {
     /// The slave node with the smallest initial gap.
-    unsigned int first_touch(const ContactPair<2>    &contact_pair,
-                             const Discretization<2> &discretization)
+    unsigned int first_touch(const ContactPair<2> &contact_pair)
     {
-      const GhostedVector    no_displacement(discretization.distribution);
-      const SurfaceSearch<2> search(*contact_pair.master, no_displacement);
-      const auto             gap_square = [&](const SurfaceNode<2> &node) {
-        return search.distance_square(node.X, search.closest_point(node.X));
+      const DeformedSurface<2> master(*contact_pair.master, {});
+      const auto               gap_square = [&](const SurfaceNode<2> &node) {
+        return master.distance_square(node.X, master.closest_point(node.X));
       };
       const auto &nodes = contact_pair.slave.nodes;
       return std::min_element(nodes.begin(),
@@ -125,7 +123,7 @@ namespace Contact
     {
       const HertzLineContact hertz =
         hertz_contact(parameters, discretization, contact_pair, results);
-      const unsigned int node = first_touch(contact_pair, discretization);
+      const unsigned int node = first_touch(contact_pair);
       const double       axis = contact_pair.slave.nodes[node].X[0];
 
       ExactSolution exact;
@@ -146,9 +144,9 @@ namespace Contact
 
       // The tangent of the master is the normal of the slave turned by -90
       // degrees; body 1 is the slave.
-      const GhostedVector no_displacement(discretization.distribution);
-      const double        along_x =
-        contact_pair.slave.normals(no_displacement)[node][1] > 0 ? 1. : -1.;
+      const double along_x =
+        DeformedSurface<2>(contact_pair.slave, {}).normals()[node][1] > 0 ? 1.
+                                                                          : -1.;
       add_half_planes(hertz,
                       mu,
                       parameters.solution.n_increments,
@@ -165,11 +163,10 @@ namespace Contact
                                  const ContactPair<2>    &contact_pair)
     {
       // The inner body is the one with the convex surface.
-      const auto          slave  = contact_pair.slave.facets[0].body;
-      const auto          master = contact_pair.master->facets[0].body;
-      const GhostedVector no_displacement(discretization.distribution);
-      const bool          slave_is_inner =
-        contact_pair.slave.normals(no_displacement)[0] *
+      const auto slave  = contact_pair.slave.facets[0].body;
+      const auto master = contact_pair.master->facets[0].body;
+      const bool slave_is_inner =
+        DeformedSurface<2>(contact_pair.slave, {}).normals()[0] *
           contact_pair.slave.nodes[0].X >
         0;
       const auto outer = slave_is_inner ? master : slave;

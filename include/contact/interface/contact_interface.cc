@@ -100,7 +100,7 @@ namespace Contact
                                     const Parameters::Contact &parameters) const
   {
     const Surface<dim> &slave   = contact_pair.slave;
-    const auto          normals = slave.normals({});
+    const auto          normals = DeformedSurface<dim>(slave, {}).normals();
     double              depth   = 0;
     Point<dim>          deepest;
     for (unsigned int i = 0; i < slave.nodes.size(); ++i)

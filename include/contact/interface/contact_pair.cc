@@ -92,15 +92,14 @@ namespace Contact
                            const Surface<dim>        &master,
                            const Discretization<dim> &discretization)
     {
-      std::set<unsigned int> held;
-      const auto             normals =
-        slave.facet_normals(GhostedVector(discretization.distribution));
+      std::set<unsigned int>     held;
+      const DeformedSurface<dim> drawn(slave, {});
       for (unsigned int e = 0; e < slave.facets.size(); ++e)
         for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
           {
             const unsigned int      i      = slave.facets[e].nodes[a];
             const SurfaceNode<dim> &node   = slave.nodes[i];
-            const Tensor<1, dim>   &normal = normals[e][a];
+            const Tensor<1, dim>   &normal = drawn.facet_normals()[e][a];
             const double            h      = slave.reference_length(e);
             const auto keeps_distance = [&](const SurfaceNode<dim> &other) {
               if (!discretization.are_held_alike(node.dofs, other.dofs, normal))

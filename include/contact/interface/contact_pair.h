@@ -182,20 +182,15 @@ namespace Contact
     Point<dim> place(const ContactPoint<dim> &point) const;
 
   private:
-    NormalCone<dim>                directions(const ContactPoint<dim> &point,
-                                              const FacetNormals<dim> &normals,
-                                              const GhostedVector     &u) const;
+    NormalCone<dim>                directions(const ContactPoint<dim>    &point,
+                                              const DeformedSurface<dim> &now,
+                                              const GhostedVector        &u) const;
     bool                           can_have_corner_points() const;
     std::vector<ContactPoint<dim>> make_discretization_points();
     void make_axis_points(std::vector<ContactPoint<dim>> &points);
     bool pair_all(const ArrayView<ContactPoint<dim>> &points,
                   const GhostedVector                &u,
                   const PairingMode                  &mode) const;
-    bool project(const ArrayView<ContactPoint<dim>> &points,
-                 const GhostedVector                &u,
-                 const PairingMode                  &mode,
-                 const SurfaceSearch<dim>           &search,
-                 const FacetNormals<dim>            &normals) const;
     bool pair_corners(const ArrayView<ContactPoint<dim>> &points,
                       const GhostedVector                &u) const;
 

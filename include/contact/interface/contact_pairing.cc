@@ -93,22 +93,15 @@ namespace Contact
                            return k < n_of_slave && points[k].facing;
                          });
     };
-    const SurfaceSearch<2> search(slave, u);
-    const auto             normals = master->facet_normals(u);
-    bool                   changed = false;
+    const DeformedSurface<2> slave_now(slave, u), master_now(*master, u);
+    bool                     changed = false;
     for (unsigned int q = n_of_slave; q < n_points; ++q)
       {
         ContactPoint<2> &corner    = points[q];
         const auto       old_nodes = corner.nodes;
-        pair_corner_point(corner,
-                          *master,
-                          normals,
-                          slave,
-                          search,
-                          discretization,
-                          u);
+        pair_corner_point(corner, master_now, slave_now, discretization, u);
         if (corner.facing && is_seen(corner) &&
-            lies_along_slave(corner, *master, normals))
+            lies_along_slave(corner, master_now))
           corner.facing = false;
         changed = changed || corner.nodes != old_nodes;
       }
@@ -129,10 +122,10 @@ namespace Contact
   // Where another side goes on, nothing beside this one is its partner.
   template<int dim>
   NormalCone<dim> ContactPair<dim>::directions(const ContactPoint<dim> &point,
-                                               const FacetNormals<dim> &normals,
-                                               const GhostedVector     &u) const
+                                               const DeformedSurface<dim> &now,
+                                               const GhostedVector &u) const
   {
-    NormalCone<dim> directions = directions_of(point, slave, normals);
+    NormalCone<dim> directions = directions_of(point, now);
     if (other_sides.empty())
       return directions;
     for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
@@ -155,14 +148,13 @@ namespace Contact
                                  const GhostedVector                &u,
                                  const PairingMode                  &mode) const
   {
-    bool changed = false;
+    const DeformedSurface<dim> now(slave, u);
     if (obstacle)
       {
-        const auto normals = slave.facet_normals(u);
         for (ContactPoint<dim> &point : points)
           {
             pair_with_obstacle(point, *obstacle, discretization, u);
-            NormalCone<dim> here = directions(point, normals, u);
+            NormalCone<dim> here = directions(point, now, u);
             if (!here.others.empty())
               {
                 here.others.clear();
@@ -170,33 +162,17 @@ namespace Contact
               }
           }
         discretization.counters.projections += points.size();
-        return changed;
+        return false;
       }
 
-    return project(points,
-                   u,
-                   mode,
-                   SurfaceSearch<dim>(*master, u),
-                   slave.facet_normals(u));
-  }
-
-
-
-  template<int dim>
-  bool ContactPair<dim>::project(const ArrayView<ContactPoint<dim>> &points,
-                                 const GhostedVector                &u,
-                                 const PairingMode                  &mode,
-                                 const SurfaceSearch<dim>           &search,
-                                 const FacetNormals<dim> &normals) const
-  {
-    bool changed = false;
+    const DeformedSurface<dim> master_now(*master, u);
+    bool                       changed = false;
     for (ContactPoint<dim> &point : points)
       {
         const auto old_nodes = point.nodes;
         pair_with_master(point,
-                         directions(point, normals, u),
-                         *master,
-                         search,
+                         directions(point, now, u),
+                         master_now,
                          discretization,
                          u,
                          mode.keeps_edges);

@@ -16,16 +16,13 @@ namespace Contact
     /// The place of the nodes, see SurfaceState.
     std::vector<double> places(const Surface<2> &slave)
     {
-      std::vector<Point<2>> X;
-      for (const SurfaceNode<2> &node : slave.nodes)
-        X.push_back(node.X);
-      auto                      places = slave.arc_length(X);
+      auto                      places = slave.arc_length(slave.positions({}));
       const double              length = places.back();
       std::vector<unsigned int> side(places.size());
       unsigned int              n_sides = 0;
       for (unsigned int e = 0; e < slave.facets.size(); ++e)
         {
-          n_sides += e > 0 && slave.facets[e].previous != e - 1;
+          n_sides += e > 0 && slave.facets[e].neighbors[0] != e - 1;
           for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
             side[slave.facets[e].nodes[a]] = n_sides;
         }

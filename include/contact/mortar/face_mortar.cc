@@ -211,9 +211,9 @@ namespace Contact
   MortarDiscretization<3>::may_touch(const GhostedVector &u,
                                      const double         distance) const
   {
-    const SurfaceSearch<3> of_slave(slave, u), of_master(master, u);
-    const auto             facets = of_master.may_be_close(of_slave, distance);
-    std::vector<bool>      nodes(slave.nodes.size(), false);
+    const DeformedSurface<3> of_slave(slave, u), of_master(master, u);
+    const auto        facets = of_master.may_be_close(of_slave, distance);
+    std::vector<bool> nodes(slave.nodes.size(), false);
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
       if (facets[e])
         for (const unsigned int node : face_integrals.carriers_of(e))

@@ -226,8 +226,8 @@ namespace Contact
                                        const Surface<3>     &master,
                                        const SymmetryPlanes &planes,
                                        const GhostedVector  &u)
-    : slave_normals(planes.facet_normals(slave, u))
-    , master_normals(planes.facet_normals(master, u))
+    : slave_normals(planes.facet_normals({slave, u}))
+    , master_normals(planes.facet_normals({master, u}))
     , search(master, u)
     , slave(slave)
     , u(u)
@@ -242,10 +242,10 @@ namespace Contact
 
 
 
-  const SurfaceSearch<3> &FaceConfiguration::slave_search() const
+  const DeformedSurface<3> &FaceConfiguration::slave_search() const
   {
     if (!of_slave)
-      of_slave = std::make_unique<SurfaceSearch<3>>(slave, u);
+      of_slave = std::make_unique<DeformedSurface<3>>(slave, u);
     return *of_slave;
   }
 

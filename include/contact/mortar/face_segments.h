@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "contact/mortar/face_dual_functions.h"
+#include "contact/surfaces/deformed_surface.h"
 #include "contact/surfaces/face_clipping.h"
-#include "contact/surfaces/face_search.h"
 #include "contact/surfaces/symmetry_planes.h"
 
 namespace Contact
@@ -28,19 +28,19 @@ namespace Contact
                       const GhostedVector  &u);
 
     /// Of the slave, made when it is first asked for.
-    const SurfaceSearch<3> &slave_search() const;
+    const DeformedSurface<3> &slave_search() const;
 
-    std::vector<Point<3>>  slave_x, master_x;
-    FacetNormals<3>        slave_normals, master_normals;
-    const SurfaceSearch<3> search; // of the master
+    std::vector<Point<3>>    slave_x, master_x;
+    FacetNormals<3>          slave_normals, master_normals;
+    const DeformedSurface<3> search; // of the master
 
     /// The outward normals in the middle of the facets.
     std::vector<Tensor<1, 3>> slave_middles, master_middles;
 
   private:
-    const Surface<3>                         &slave;
-    const GhostedVector                      &u;
-    mutable std::unique_ptr<SurfaceSearch<3>> of_slave;
+    const Surface<3>                           &slave;
+    const GhostedVector                        &u;
+    mutable std::unique_ptr<DeformedSurface<3>> of_slave;
   };
 
 

@@ -229,14 +229,15 @@ namespace Contact
     const std::vector<MortarOverlap> &overlaps) const
   {
     std::set<unsigned int> slave_nodes, master_nodes;
-    const auto             add =
-      [](const Surface<2> &surface, const unsigned int e, auto &all) {
-        for (const unsigned int near :
-             {e, surface.facets[e].previous, surface.facets[e].next})
-          if (near != numbers::invalid_unsigned_int)
-            for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-              all.insert(surface.facets[near].nodes[a]);
-      };
+    const auto             add = [](const Surface<2>  &surface,
+                        const unsigned int e,
+                        auto              &all) {
+      for (const unsigned int near :
+           {e, surface.facets[e].neighbors[0], surface.facets[e].neighbors[1]})
+        if (near != numbers::invalid_unsigned_int)
+          for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+            all.insert(surface.facets[near].nodes[a]);
+    };
     for (const unsigned int e : slave.facets_of_node[node])
       {
         add(slave, e, slave_nodes);

@@ -74,9 +74,8 @@ namespace Contact
     {
       const SurfaceFacet<2> &edge   = surface.facets[e];
       Tensor<1, 2, Number>   normal = own_normal(surface, x, e, a);
-      const unsigned int     other  = a == 0   ? edge.previous
-                                      : a == 1 ? edge.next
-                                               : numbers::invalid_unsigned_int;
+      const unsigned int     other =
+        a < 2 ? edge.neighbors[a] : numbers::invalid_unsigned_int;
       if (other == numbers::invalid_unsigned_int || edge.is_feature[a])
         return normal;
       normal += own_normal(surface, x, other, 1 - a);
@@ -103,7 +102,7 @@ namespace Contact
       const auto  place = [&](const unsigned int node) {
         return Tensor<1, 2>(surface.nodes[node].X);
       };
-      const unsigned int next = a == 0 ? edge.next : edge.previous;
+      const unsigned int next = edge.neighbors[1 - a];
       Tensor<1, 2> first      = place(edge.nodes[1 - a]) - place(edge.nodes[a]);
       Tensor<1, 2> second     = first;
       if (surface.degree == 2)
@@ -175,10 +174,9 @@ namespace Contact
       std::vector<End> ends;
       for (unsigned int e = 0; e < surface.facets.size(); ++e)
         {
-          if (surface.facets[e].begins_face)
-            ends.emplace_back(e, 0);
-          if (surface.facets[e].ends_face)
-            ends.emplace_back(e, 1);
+          for (const unsigned int a : {0, 1})
+            if (surface.facets[e].ends_face[a])
+              ends.emplace_back(e, a);
         }
       return ends;
     };
@@ -259,8 +257,9 @@ namespace Contact
     std::set<unsigned int> edges;
     for (const unsigned int node : nodes)
       for (const unsigned int e : surface.facets_of_node[node])
-        for (const unsigned int near :
-             {e, surface.facets[e].previous, surface.facets[e].next})
+        for (const unsigned int near : {e,
+                                        surface.facets[e].neighbors[0],
+                                        surface.facets[e].neighbors[1]})
           if (near != numbers::invalid_unsigned_int)
             edges.insert(near);
     return edges;

@@ -81,7 +81,7 @@ namespace Contact
     // they deform.
     for (const unsigned int a : candidates)
       if (overlap.distance(node_coordinates[a]) <=
-          nearest + SurfaceSearch<2>::overhang)
+          nearest + DeformedSurface<2>::overhang)
         nodes.push_back(a);
     const bool all_seen =
       overlap.parts.size() == 1 && nearest < mortar_round_off;
@@ -240,8 +240,7 @@ namespace Contact
           projection.value[b] * now.master_normals[sample.master_facet][b];
         // Beyond a corner is another face, or none: that it is seen, its normal
         // tells.
-        if (b == 2 || !(edge.is_feature[b] ||
-                        (b == 0 ? edge.begins_surface : edge.ends_surface)))
+        if (b == 2 || !(edge.is_feature[b] || edge.ends_surface(b)))
           turn_square +=
             absolute(projection.value[b]) * square(master.turns[edge.nodes[b]]);
       }

@@ -91,7 +91,7 @@ namespace Contact
     // Of the edges near by those between the lines: not all on one side of all
     // of them.
     std::vector<unsigned int> candidates;
-    for (const unsigned int m : search.edges_in(BoundingBox<2>(corners)))
+    for (const unsigned int m : search.facets_in(BoundingBox<2>(corners)))
       {
         bool left = false, right = false;
         for (unsigned int a = 0; a < now.slave.n_nodes_per_facet(); ++a)
@@ -174,7 +174,7 @@ namespace Contact
                                               shape.value);
     auto            n = now.slave_normal(slave_facet, shape.value);
     n /= n.norm();
-    const NormalCone<2> direction{-n, -n};
+    const NormalCone<2> direction{{-n}};
     for (const unsigned int m : candidates)
       {
         const double master_xi = now.projection_on_edge(x, n, m);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "contact/mortar/mortar_geometry.h"
-#include "contact/surfaces/surface_search.h"
+#include "contact/surfaces/deformed_surface.h"
 
 namespace Contact
 {
@@ -114,7 +114,7 @@ namespace Contact
                                          const double       reach) const;
 
     const MortarGeometry<double> &now;
-    const SurfaceSearch<2>        search; // on the master
+    const DeformedSurface<2>      search; // on the master
     double                        size;   // of both surfaces together [mm]
   };
 } // namespace Contact

@@ -308,6 +308,90 @@ namespace Contact
 
 
 
+  namespace
+  {
+    /// Whether a node of the surface is on its end.
+    template<int dim>
+    bool is_at_end(const Surface<dim> &surface, const unsigned int node)
+    {
+      for (const unsigned int e : surface.facets_of_node[node])
+        for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+          for (unsigned int s = 0; s < SurfaceFacet<dim>::n_sides; ++s)
+            if (surface.facets[e].nodes[a] == node &&
+                surface.facets[e].ends_surface(s) && is_on_side<dim>(a, s))
+              return true;
+      return false;
+    }
+  } // namespace
+
+
+
+  // The normal in the facet; at a node those of all facets around it, in the
+  // plane at first of the edge that ends there.
+  template<int dim>
+  NormalCone<dim> directions_of(const ContactPoint<dim>    &point,
+                                const DeformedSurface<dim> &now)
+  {
+    const Surface<dim> &slave   = now.surface;
+    const auto         &normals = now.facet_normals();
+    NormalCone<dim>     directions;
+    directions.reach = DeformedSurface<dim>::overhang *
+                       slave.reference_length(point.slave_facet);
+    const auto &facet = slave.facets[point.slave_facet];
+    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      if (node_place<dim>(a) == point.slave_xi)
+        {
+          const unsigned int node = facet.nodes[a];
+          directions.at_end       = is_at_end(slave, node);
+          for (const unsigned int e : slave.facets_of_node[node])
+            for (unsigned int b = 0; b < slave.n_nodes_per_facet(); ++b)
+              if (slave.facets[e].nodes[b] == node)
+                directions.normals.insert(b == 1 ? directions.normals.begin()
+                                                 : directions.normals.end(),
+                                          normals[e][b]);
+          return directions;
+        }
+
+    const FacetShape<dim> shape(slave.degree, point.slave_xi);
+    Tensor<1, dim>        n;
+    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      n += shape.value[a] * normals[point.slave_facet][a];
+    directions.normals.push_back(n / n.norm());
+    return directions;
+  }
+
+
+
+  template<int dim>
+  void pair_with_master(ContactPoint<dim>          &point,
+                        const NormalCone<dim>      &directions,
+                        const DeformedSurface<dim> &master,
+                        const Discretization<dim>  &discretization,
+                        const GhostedVector        &u,
+                        const bool                  keeps_facet)
+  {
+    const Point<dim> x = slave_position(point, u);
+    Projection<dim>  projection;
+    if (keeps_facet && point.facing)
+      projection =
+        master.project(x, point.master_facet, DeformedSurface<dim>::overhang);
+    if (!keeps_facet || !point.facing || projection.clipped)
+      projection = master.closest_facing(x, directions);
+    const double beyond = (largest_coordinate(projection.xi) - 1) / 2 *
+                          master.surface.reference_length(projection.facet);
+    point.facing       = !projection.off_the_end && beyond <= directions.reach;
+    point.master_facet = projection.facet;
+    point.master_xi    = projection.xi;
+
+    point.keep_nodes(point.n_slave_nodes);
+    face_master(point, projection, master, discretization, u);
+    skip_where_held(point, discretization, u);
+    point.tangential_row_is_void =
+      tangential_row_is_void(point, discretization);
+  }
+
+
+
   // A node that a support holds against the obstacle needs no pressure, and
   // there would be no unknown for it to act on. Along the tangent the place of
   // a circle is centre + radius n, and its second derivative by the coordinate
@@ -337,37 +421,53 @@ namespace Contact
   }
 
   template std::vector<ContactPoint<2>>
-  make_nodal_points(const Surface<2>             &slave,
-                    const std::set<unsigned int> &excluded,
-                    MultiplierSpace              &multipliers);
+                         make_nodal_points(const Surface<2> &,
+                                           const std::set<unsigned int> &,
+                                           MultiplierSpace &);
+  template bool          is_free_along(const ContactPoint<2> &,
+                                       const unsigned int,
+                                       const Tensor<1, 2> &,
+                                       const Discretization<2> &);
+  template void          skip_where_held(ContactPoint<2> &,
+                                         const Discretization<2> &,
+                                         const GhostedVector &);
+  template Point<2>      slave_position(const ContactPoint<2> &,
+                                        const GhostedVector &);
+  template NormalCone<2> directions_of(const ContactPoint<2> &,
+                                       const DeformedSurface<2> &);
+  template void          pair_with_master(ContactPoint<2> &,
+                                          const NormalCone<2> &,
+                                          const DeformedSurface<2> &,
+                                          const Discretization<2> &,
+                                          const GhostedVector &,
+                                          const bool);
+  template void          pair_with_obstacle(ContactPoint<2> &,
+                                            const Obstacle<2> &,
+                                            const Discretization<2> &,
+                                            const GhostedVector &);
   template std::vector<ContactPoint<3>>
-                    make_nodal_points(const Surface<3>             &slave,
-                                      const std::set<unsigned int> &excluded,
-                                      MultiplierSpace              &multipliers);
-  template bool     is_free_along(const ContactPoint<2>   &point,
-                                  const unsigned int       n_nodes,
-                                  const Tensor<1, 2>      &normal,
-                                  const Discretization<2> &discretization);
-  template bool     is_free_along(const ContactPoint<3>   &point,
-                                  const unsigned int       n_nodes,
-                                  const Tensor<1, 3>      &normal,
-                                  const Discretization<3> &discretization);
-  template void     skip_where_held(ContactPoint<2>         &point,
-                                    const Discretization<2> &discretization,
-                                    const GhostedVector     &u);
-  template void     skip_where_held(ContactPoint<3>         &point,
-                                    const Discretization<3> &discretization,
-                                    const GhostedVector     &u);
-  template Point<2> slave_position(const ContactPoint<2> &point,
-                                   const GhostedVector   &u);
-  template Point<3> slave_position(const ContactPoint<3> &point,
-                                   const GhostedVector   &u);
-  template void     pair_with_obstacle(ContactPoint<2>         &point,
-                                       const Obstacle<2>       &obstacle,
-                                       const Discretization<2> &discretization,
-                                       const GhostedVector     &u);
-  template void     pair_with_obstacle(ContactPoint<3>         &point,
-                                       const Obstacle<3>       &obstacle,
-                                       const Discretization<3> &discretization,
-                                       const GhostedVector     &u);
+                         make_nodal_points(const Surface<3> &,
+                                           const std::set<unsigned int> &,
+                                           MultiplierSpace &);
+  template bool          is_free_along(const ContactPoint<3> &,
+                                       const unsigned int,
+                                       const Tensor<1, 3> &,
+                                       const Discretization<3> &);
+  template void          skip_where_held(ContactPoint<3> &,
+                                         const Discretization<3> &,
+                                         const GhostedVector &);
+  template Point<3>      slave_position(const ContactPoint<3> &,
+                                        const GhostedVector &);
+  template NormalCone<3> directions_of(const ContactPoint<3> &,
+                                       const DeformedSurface<3> &);
+  template void          pair_with_master(ContactPoint<3> &,
+                                          const NormalCone<3> &,
+                                          const DeformedSurface<3> &,
+                                          const Discretization<3> &,
+                                          const GhostedVector &,
+                                          const bool);
+  template void          pair_with_obstacle(ContactPoint<3> &,
+                                            const Obstacle<3> &,
+                                            const Discretization<3> &,
+                                            const GhostedVector &);
 } // namespace Contact

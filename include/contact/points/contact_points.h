@@ -9,8 +9,7 @@
 #include "contact/obstacles/obstacle.h"
 #include "contact/points/contact_point.h"
 #include "contact/points/friction_law.h"
-#include "contact/surfaces/face_search.h"
-#include "contact/surfaces/surface_search.h"
+#include "contact/surfaces/deformed_surface.h"
 
 namespace Contact
 {
@@ -147,14 +146,10 @@ namespace Contact
   void set_tangents(ContactPoint<2> &point);
   void set_tangents(ContactPoint<3> &point);
 
-  /// The direction in which a point of the slave looks for the master, by the
-  /// normals of Surface::facet_normals.
-  NormalCone<2> directions_of(const ContactPoint<2> &point,
-                              const Surface<2>      &slave,
-                              const FacetNormals<2> &normals);
-  NormalCone<3> directions_of(const ContactPoint<3> &point,
-                              const Surface<3>      &slave,
-                              const FacetNormals<3> &normals);
+  /// The directions in which a point of the slave looks for the master.
+  template<int dim>
+  NormalCone<dim> directions_of(const ContactPoint<dim>    &point,
+                                const DeformedSurface<dim> &slave);
 
   /// The manner in which points are paired.
   struct PairingMode
@@ -163,7 +158,7 @@ namespace Contact
     bool with_derivatives = false;
 
     /// A point that faces an edge keeps it as long as its projection is no
-    /// further beyond an end than SurfaceSearch::overhang.
+    /// further beyond an end than DeformedSurface::overhang.
     bool keeps_edges = false;
 
     /// In space open points of the mortar discretization may keep an earlier
@@ -183,26 +178,28 @@ namespace Contact
 
 
 
-  /**
-   * Pair a point that looks in these directions with the closest point of the
-   * master in the configuration @p u, and keep coordinate, normal and tangent
-   * there. At a vertex that belongs to two edges alike the tangent is the sum
-   * of those of both edges.
-   */
-  void pair_with_master(ContactPoint<2>         &point,
-                        const NormalCone<2>     &directions,
-                        const Surface<2>        &master,
-                        const SurfaceSearch<2>  &search,
-                        const Discretization<2> &discretization,
-                        const GhostedVector     &u,
-                        const bool               keeps_edge = false);
-  void pair_with_master(ContactPoint<3>         &point,
-                        const NormalCone<3>     &directions,
-                        const Surface<3>        &master,
-                        const SurfaceSearch<3>  &search,
-                        const Discretization<3> &discretization,
-                        const GhostedVector     &u,
-                        const bool               keeps_facet = false);
+  /// Pair a point that looks in these directions with the closest point of the
+  /// master in the configuration @p u.
+  template<int dim>
+  void pair_with_master(ContactPoint<dim>          &point,
+                        const NormalCone<dim>      &directions,
+                        const DeformedSurface<dim> &master,
+                        const Discretization<dim>  &discretization,
+                        const GhostedVector        &u,
+                        const bool                  keeps_facet = false);
+
+  /// The master side of a point at its projection: nodes and coefficients, with
+  /// their derivatives in the plane, normal and tangents.
+  void face_master(ContactPoint<2>          &point,
+                   const Projection<2>      &projection,
+                   const DeformedSurface<2> &master,
+                   const Discretization<2>  &discretization,
+                   const GhostedVector      &u);
+  void face_master(ContactPoint<3>          &point,
+                   const Projection<3>      &projection,
+                   const DeformedSurface<3> &master,
+                   const Discretization<3>  &discretization,
+                   const GhostedVector      &u);
 
   /// The same on a rigid obstacle.
   template<int dim>

@@ -18,9 +18,9 @@ namespace Contact
                            const ContactPoint<2> &point)
     {
       const SurfaceFacet<2> &edge = surface.facets[point.master_facet];
-      const double           last = 1 - SurfaceSearch<2>::overhang;
-      return (edge.begins_face && point.master_xi < -last) ||
-             (edge.ends_face && point.master_xi > last);
+      const double           last = 1 - DeformedSurface<2>::overhang;
+      return (edge.ends_face[0] && point.master_xi < -last) ||
+             (edge.ends_face[1] && point.master_xi > last);
     }
   } // namespace
 
@@ -30,7 +30,7 @@ namespace Contact
   {
     return std::any_of(surface.facets.begin(),
                        surface.facets.end(),
-                       [](const auto &edge) { return edge.begins_surface; });
+                       [](const auto &edge) { return edge.ends_surface(0); });
   }
 
 
@@ -41,13 +41,13 @@ namespace Contact
     std::vector<unsigned int> corners;
     for (unsigned int e = 0; e < master.facets.size(); ++e)
       {
-        const SurfaceFacet<2> &edge      = master.facets[e];
-        const bool             is_corner = edge.corner[0] && edge.begins_face &&
+        const SurfaceFacet<2> &edge = master.facets[e];
+        const bool is_corner        = edge.corner[0] && edge.ends_face[0] &&
                                master.turn_of_curves(e) >
                                  numbers::PI / 180 * Surface<2>::feature_angle;
-        if (is_corner || (with_ends && edge.begins_surface))
+        if (is_corner || (with_ends && edge.ends_surface(0)))
           corners.push_back(edge.nodes[0]);
-        if (with_ends && edge.ends_surface)
+        if (with_ends && edge.ends_surface(1))
           corners.push_back(edge.nodes[1]);
       }
     if (corners.empty())
@@ -79,41 +79,37 @@ namespace Contact
 
 
 
-  void pair_corner_point(
-    ContactPoint<2>                              &point,
-    const Surface<2>                             &master,
-    const std::vector<PerEdgeNode<Tensor<1, 2>>> &master_normals,
-    const Surface<2>                             &slave,
-    const SurfaceSearch<2>                       &search,
-    const Discretization<2>                      &discretization,
-    const GhostedVector                          &u)
+  void pair_corner_point(ContactPoint<2>          &point,
+                         const DeformedSurface<2> &master,
+                         const DeformedSurface<2> &slave,
+                         const Discretization<2>  &discretization,
+                         const GhostedVector      &u)
   {
     // A slave edge beside the end of the master does not obstruct it.
-    NormalCone<2> directions = directions_of(point, master, master_normals);
+    NormalCone<2> directions = directions_of(point, master);
     directions.at_end        = false;
-    pair_with_master(point, directions, slave, search, discretization, u);
-    const double length = slave.reference_length(point.master_facet);
+    pair_with_master(point, directions, slave, discretization, u);
+    const double length = slave.surface.reference_length(point.master_facet);
     point.facing        = point.facing && distance(point, u) > -length &&
-                   !is_at_end_of_face(slave, point);
+                   !is_at_end_of_face(slave.surface, point);
     point.projection = Point<2>(-corner_slack * length * point.normal);
   }
 
 
 
-  bool
-  lies_along_slave(const ContactPoint<2>                        &corner,
-                   const Surface<2>                             &master,
-                   const std::vector<PerEdgeNode<Tensor<1, 2>>> &master_normals)
+  bool lies_along_slave(const ContactPoint<2>    &corner,
+                        const DeformedSurface<2> &master)
   {
-    const unsigned int own   = corner.slave_facet;
-    const bool         first = corner.slave_xi < 0;
+    const auto        &normals = master.facet_normals();
+    const unsigned int own     = corner.slave_facet;
+    const bool         first   = corner.slave_xi < 0;
     const unsigned int other =
-      first ? master.facets[own].previous : master.facets[own].next;
+      master.surface.facets[own].neighbors[first ? 0 : 1];
     if (other == numbers::invalid_unsigned_int)
       return false;
     const double least = std::cos(numbers::PI / 180 * inclination);
-    return -(master_normals[own][first ? 0 : 1] * corner.normal) > least ||
-           -(master_normals[other][first ? 1 : 0] * corner.normal) > least;
+    return -(normals[own][first ? 0 : 1] * corner.normal) > least ||
+           -(normals[other][first ? 1 : 0] * corner.normal) > least;
   }
 
 

@@ -86,14 +86,11 @@ namespace Contact
    * bodies stand on each other and a slave node sees the master, nor deeper
    * inside than a slave edge is long: there it has come around it.
    */
-  void pair_corner_point(
-    ContactPoint<2>                              &point,
-    const Surface<2>                             &master,
-    const std::vector<PerEdgeNode<Tensor<1, 2>>> &master_normals,
-    const Surface<2>                             &slave,
-    const SurfaceSearch<2>                       &search,
-    const Discretization<2>                      &discretization,
-    const GhostedVector                          &u);
+  void pair_corner_point(ContactPoint<2>          &point,
+                         const DeformedSurface<2> &master,
+                         const DeformedSurface<2> &slave,
+                         const Discretization<2>  &discretization,
+                         const GhostedVector      &u);
 
   /**
    * Whether a face beside the corner lies along the slave edge that the corner
@@ -103,10 +100,8 @@ namespace Contact
    * edge for stiffer than it is. Not at an end of the master, which has a point
    * only where these nodes do not suffice.
    */
-  bool lies_along_slave(
-    const ContactPoint<2>                        &corner,
-    const Surface<2>                             &master,
-    const std::vector<PerEdgeNode<Tensor<1, 2>>> &master_normals);
+  bool lies_along_slave(const ContactPoint<2>    &corner,
+                        const DeformedSurface<2> &master);
 
   /**
    * The slave node that the projection of a corner is at, closer than a

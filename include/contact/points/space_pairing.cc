@@ -14,25 +14,6 @@ namespace Contact
 {
   namespace
   {
-    /// Whether a node of the surface is on its end.
-    bool is_at_end(const Surface<3> &surface, const unsigned int node)
-    {
-      for (const unsigned int e : surface.facets_of_node[node])
-        for (unsigned int s = 0; s < 4; ++s)
-          {
-            const SurfaceFacet<3> &facet = surface.facets[e];
-            if (facet.neighbors[s] != numbers::invalid_unsigned_int)
-              continue;
-            for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-              if (facet.nodes[a] == node &&
-                  node_place<3>(a)[s / 2] == (s % 2 == 0 ? -1 : 1))
-                return true;
-          }
-      return false;
-    }
-
-
-
     /// Add a node of the master, or those that it follows. On round boundaries
     /// a hanging node is beside the side that it follows: that is left.
     void add_parts(const Surface<3>               &master,
@@ -241,67 +222,16 @@ namespace Contact
 
 
 
-  // The normal in the facet; at a node those of all facets around it.
-  NormalCone<3> directions_of(const ContactPoint<3> &point,
-                              const Surface<3>      &slave,
-                              const FacetNormals<3> &normals)
-  {
-    NormalCone<3> directions;
-    directions.reach =
-      SurfaceSearch<3>::overhang * slave.reference_length(point.slave_facet);
-    const auto &facet = slave.facets[point.slave_facet];
-    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-      if (node_place<3>(a) == point.slave_xi)
-        {
-          const unsigned int node = facet.nodes[a];
-          directions.at_end       = is_at_end(slave, node);
-          for (const unsigned int e : slave.facets_of_node[node])
-            {
-              const auto &nodes = slave.facets[e].nodes;
-              directions.normals.push_back(
-                normals[e][std::find(nodes.begin(), nodes.end(), node) -
-                           nodes.begin()]);
-            }
-          return directions;
-        }
-
-    const FacetShape<3> shape(slave.degree, point.slave_xi);
-    Tensor<1, 3>        n;
-    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-      n += shape.value[a] * normals[point.slave_facet][a];
-    directions.normals.push_back(n / n.norm());
-    return directions;
-  }
-
-
-
   // Where several facets have the same closest point, which of them was found
   // first must not matter: the normal is the mean of theirs.
-  void pair_with_master(ContactPoint<3>         &point,
-                        const NormalCone<3>     &directions,
-                        const Surface<3>        &master,
-                        const SurfaceSearch<3>  &search,
-                        const Discretization<3> &discretization,
-                        const GhostedVector     &u,
-                        const bool               keeps_facet)
+  void face_master(ContactPoint<3>          &point,
+                   const Projection<3>      &projection,
+                   const DeformedSurface<3> &now,
+                   const Discretization<3>  &discretization,
+                   const GhostedVector      &u)
   {
-    const Point<3> x = slave_position(point, u);
-    Projection<3>  projection;
-    if (keeps_facet && point.facing)
-      projection =
-        search.project(x, point.master_facet, SurfaceSearch<3>::overhang);
-    if (!keeps_facet || !point.facing || projection.clipped)
-      projection = search.closest_facing(x, directions);
-    const double outside =
-      std::max(std::abs(projection.xi[0]), std::abs(projection.xi[1])) - 1;
-    const double beyond =
-      outside / 2 * master.reference_length(projection.facet);
-    point.facing       = !projection.off_the_end && beyond <= directions.reach;
-    point.master_facet = projection.facet;
-    point.master_xi    = projection.xi;
-
-    point.keep_nodes(point.n_slave_nodes);
-    point.projection = Point<3>();
+    const Surface<3> &master = now.surface;
+    point.projection         = Point<3>();
     const FacetShape<3>            shape(master.degree, projection.xi);
     std::map<unsigned int, double> parts;
     for (unsigned int a = 0; a < master.n_nodes_per_facet(); ++a)
@@ -314,17 +244,14 @@ namespace Contact
     for (const auto &[node, part] : parts)
       point.add_node(master.nodes[node], -part);
 
-    Tensor<1, 3> normal = search.normal(projection.facet, projection.xi);
+    Tensor<1, 3> normal = now.normal(projection.facet, projection.xi);
     for (const auto &[facet, xi] : projection.twins)
-      normal += search.normal(facet, xi);
+      normal += now.normal(facet, xi);
     point.normal = normal / normal.norm();
     make_symmetric(point,
                    discretization,
                    u,
                    1e-6 * master.reference_length(projection.facet));
     point.projection_is_clipped = projection.clipped;
-    point.tangential_row_is_void =
-      tangential_row_is_void(point, discretization);
-    skip_where_held(point, discretization, u);
   }
 } // namespace Contact

@@ -41,49 +41,20 @@ namespace Contact
 
 
 
-    /// The directions that a place of a facet looks in, and nothing beside it.
-    NormalCone<2> straight_ahead(const Tensor<1, 2> &normal)
-    {
-      return {normal, normal};
-    }
-
-    NormalCone<3> straight_ahead(const Tensor<1, 3> &normal)
-    {
-      NormalCone<3> directions;
-      directions.normals = {normal};
-      return directions;
-    }
-
-
-
-    /// Whether a place is on the overhang of a facet beyond its end.
-    bool is_beyond(const double xi)
-    {
-      return std::abs(xi) > 1;
-    }
-
-    bool is_beyond(const Point<2> &xi)
-    {
-      return is_beyond(xi[0]) || is_beyond(xi[1]);
-    }
-
-
-
     /// By how much each facet may be beside the surface that it stands for, by
     /// the angles between the facets that meet smoothly at its nodes, as drawn:
     /// the sagitta. Corners and ends stand for themselves.
     template<int dim>
-    std::vector<double> sagittas(const Surface<dim>  &surface,
-                                 const GhostedVector &undeformed)
+    std::vector<double> sagittas(const DeformedSurface<dim> &drawn)
     {
-      const SurfaceSearch<dim> own(surface, undeformed);
-      const auto               means = surface.facet_normals(undeformed);
-      std::vector<double>      sagittas(surface.facets.size(), 0.);
+      const Surface<dim> &surface = drawn.surface;
+      const auto         &means   = drawn.facet_normals();
+      std::vector<double> sagittas(surface.facets.size(), 0.);
       for (unsigned int e = 0; e < surface.facets.size(); ++e)
         for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
           {
             const double cosine =
-              std::clamp(own.normal(e, node_place<dim>(a)) * means[e][a],
+              std::clamp(drawn.normal(e, node_place<dim>(a)) * means[e][a],
                          -1.,
                          1.);
             sagittas[e] =
@@ -97,12 +68,12 @@ namespace Contact
 
     /// The largest displacement of a node [mm].
     template<int dim>
-    double largest_way(const Surface<dim> &surface, const GhostedVector &u)
+    double largest_way(const DeformedSurface<dim> &now)
     {
       double largest = 0;
-      for (unsigned int i = 0; i < surface.nodes.size(); ++i)
-        largest = std::max(largest,
-                           surface.position(i, u).distance(surface.nodes[i].X));
+      for (unsigned int i = 0; i < now.positions.size(); ++i)
+        largest =
+          std::max(largest, now.positions[i].distance(now.surface.nodes[i].X));
       return largest;
     }
 
@@ -112,19 +83,18 @@ namespace Contact
     /// facets. A place further behind the other surface than its facet is long,
     /// or than the surfaces have moved, has come there around it.
     template<int dim>
-    void look(const Surface<dim>  &surface,
-              const Surface<dim>  &other,
-              const bool           is_master,
-              const MPI_Comm       communicator,
-              const double         reach,
-              const GhostedVector &u,
-              const bool           as_drawn,
-              ContactDepth<dim>   &deepest)
+    void look(const DeformedSurface<dim> &own,
+              const DeformedSurface<dim> &search,
+              const bool                  is_master,
+              const MPI_Comm              communicator,
+              const double                reach,
+              const bool                  as_drawn,
+              ContactDepth<dim>          &deepest)
     {
-      const SurfaceSearch<dim> own(surface, u), search(other, u);
-      const auto               of_own = sagittas(surface, u.zero()),
-                 of_other             = sagittas(other, u.zero());
-      double longest                  = 0;
+      const Surface<dim>        &surface = own.surface, &other = search.surface;
+      const DeformedSurface<dim> drawn(surface, {}), other_drawn(other, {});
+      const auto of_own = sagittas(drawn), of_other = sagittas(other_drawn);
+      double     longest = 0;
       for (unsigned int f = 0; f < other.facets.size(); ++f)
         longest = std::max(longest, other.reference_length(f));
       const auto is_close = search.may_be_close(own, longest);
@@ -137,21 +107,14 @@ namespace Contact
           {
             if (!is_close[e])
               break;
-            const FacetShape<dim> shape(surface.degree, xi);
-            Point<dim>            x, X;
-            for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-              {
-                const unsigned int i = surface.facets[e].nodes[a];
-                x += shape.value[a] * surface.position(i, u);
-                X += shape.value[a] * surface.nodes[i].X;
-              }
-            const auto projection =
-              search.closest_facing(x, straight_ahead(own.normal(e, xi)));
+            const Point<dim> x = own.position(e, xi);
+            const auto       projection =
+              search.closest_facing(x, NormalCone<dim>{{own.normal(e, xi)}});
             const unsigned int f = projection.facet;
             if (projection.off_the_end || projection.clipped ||
-                is_beyond(projection.xi))
+                largest_coordinate(projection.xi) > 1)
               continue;
-            const double behind = -((x - search.position(projection)) *
+            const double behind = -((x - search.position(f, projection.xi)) *
                                     search.normal(f, projection.xi));
             if (behind <= 0 ||
                 behind >= std::min(reach, other.reference_length(f)))
@@ -159,7 +122,10 @@ namespace Contact
             const double depth =
               as_drawn ? behind : behind - of_own[e] - of_other[f];
             if (depth > deepest.depth)
-              deepest = {depth, is_master, X, is_master ? f : e};
+              deepest = {depth,
+                         is_master,
+                         drawn.position(e, xi),
+                         is_master ? f : e};
           }
     }
 
@@ -174,7 +140,8 @@ namespace Contact
                           const bool              as_drawn,
                           ContactDepth<dim>      &deepest)
     {
-      const Surface<dim>        &slave          = contact_pair.slave;
+      const Surface<dim>        &slave = contact_pair.slave;
+      const DeformedSurface<dim> now(slave, u), drawn(slave, {});
       const Obstacle<dim>       &obstacle       = *contact_pair.obstacle;
       const Discretization<dim> &discretization = contact_pair.discretization;
       const bool at_nodes = !contact_pair.has_point_per_multiplier();
@@ -191,15 +158,8 @@ namespace Contact
       for (unsigned int e = 0; e < slave.facets.size(); ++e)
         for (const FacetPoint<dim> &xi : places)
           {
-            const FacetShape<dim> shape(slave.degree, xi);
-            Point<dim>            x, X;
-            for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-              {
-                const unsigned int i = slave.facets[e].nodes[a];
-                x += shape.value[a] * slave.position(i, u);
-                X += shape.value[a] * slave.nodes[i].X;
-              }
-            const auto closest = obstacle.closest_point(x);
+            const Point<dim> x       = now.position(e, xi);
+            const auto       closest = obstacle.closest_point(x);
             if (!as_drawn && is_held(slave.facets[e], closest.normal))
               continue;
             const double h = // from corner to opposite corner
@@ -209,7 +169,7 @@ namespace Contact
             const double behind = (closest.x - x) * closest.normal;
             const double depth  = as_drawn ? behind : behind - chord;
             if (depth > deepest.depth)
-              deepest = {depth, false, X, e};
+              deepest = {depth, false, drawn.position(e, xi), e};
           }
     }
 
@@ -249,14 +209,14 @@ namespace Contact
     ContactDepth<dim> deepest;
     if (contact_pair.master)
       {
-        const Surface<dim> &slave  = contact_pair.slave,
-                           &master = *contact_pair.master;
-        const double reach = as_drawn ? std::numeric_limits<double>::max()
-                                      : largest_way(slave, u) +
-                                          largest_way(master, u) +
-                                          contact_pair.interference->at_start;
-        look(slave, master, false, communicator, reach, u, as_drawn, deepest);
-        look(master, slave, true, communicator, reach, u, as_drawn, deepest);
+        const DeformedSurface<dim> slave(contact_pair.slave, u),
+          master(*contact_pair.master, u);
+        const double reach = as_drawn
+                               ? std::numeric_limits<double>::max()
+                               : largest_way(slave) + largest_way(master) +
+                                   contact_pair.interference->at_start;
+        look(slave, master, false, communicator, reach, as_drawn, deepest);
+        look(master, slave, true, communicator, reach, as_drawn, deepest);
         compare(communicator, deepest);
       }
     else

@@ -69,22 +69,19 @@ namespace Contact
   ContactPatches::ContactPatches(const Surface<2> &slave)
     : slave(slave)
   {
-    std::vector<Point<2>> X;
-    for (const SurfaceNode<2> &node : slave.nodes)
-      X.push_back(node.X);
-    s_of_node = slave.arc_length(X);
+    s_of_node = slave.arc_length(slave.positions({}));
 
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
       {
         const SurfaceFacet<2> &edge = slave.facets[e];
         const auto             s    = s_of_edge(e);
-        if (e == 0 || edge.previous != e - 1)
+        if (e == 0 || edge.neighbors[0] != e - 1)
           {
             chains.emplace_back();
             chains.back().begin = s[0];
           }
         chains.back().end       = s[1];
-        chains.back().is_closed = !edge.ends_surface;
+        chains.back().is_closed = !edge.ends_surface(1);
         chain_of_edge.push_back(chains.size() - 1);
       }
   }

@@ -44,25 +44,22 @@ namespace Contact
                                const GhostedVector  &u,
                                ContactPatches       &patches)
     {
-      const Surface<2> &slave  = contact_pair.slave,
-                       &master = *contact_pair.master;
-      const SurfaceSearch<2> search(slave, u);
-      const auto             normals = master.facet_normals(u);
+      const Surface<2>        &master = *contact_pair.master;
+      const DeformedSurface<2> slave_now(contact_pair.slave, u),
+        master_now(master, u);
       for (ContactPoint<2> &corner : make_corner_points(master, true))
         {
           pair_corner_point(corner,
-                            master,
-                            normals,
-                            slave,
-                            search,
+                            master_now,
+                            slave_now,
                             contact_pair.discretization,
                             u);
           const SurfaceFacet<2> &edge = master.facets[corner.slave_facet];
           if (corner.facing &&
-              distance(corner, u) < slave.reference_length(corner.master_facet))
+              distance(corner, u) <
+                contact_pair.slave.reference_length(corner.master_facet))
             patches.add_corner(corner,
-                               corner.slave_xi < 0 ? edge.begins_surface
-                                                   : edge.ends_surface);
+                               edge.ends_surface(corner.slave_xi < 0 ? 0 : 1));
         }
     }
 
@@ -354,12 +351,10 @@ namespace Contact
       if (edge.nodes[0] != n && edge.nodes[1] != n)
         return false;
       const unsigned int a = edge.nodes[0] == n ? 0 : 1;
-      const bool         is_end =
-        (a == 0 ? edge.previous : edge.next) == numbers::invalid_unsigned_int;
       const Tensor<1, 2> along =
         surface.nodes[edge.nodes[1]].X - surface.nodes[edge.nodes[0]].X;
       return edge.corner[a] ||
-             (is_end &&
+             (edge.ends_surface(a) &&
               interface.discretization.free_part(node, along / along.norm())
                   .norm() > round_off);
     };

@@ -248,7 +248,6 @@ namespace Contact
       for (const LooseFacet<dim> &loose : of_rank)
         {
           SurfaceFacet<dim> facet;
-          facet.nodes.fill(0);
           facet.body   = loose.body;
           facet.part   = loose.part;
           facet.middle = loose.middle;
@@ -317,32 +316,30 @@ namespace Contact
 
 
   template<int dim>
-  Tensor<1, dim> Surface<dim>::normal(const SurfaceFacet<dim> &facet,
-                                      const unsigned int       a,
-                                      const GhostedVector     &u) const
+  std::vector<Point<dim>> Surface<dim>::positions(const GhostedVector &u) const
   {
-    const FacetShape<dim>               shape(degree, node_place<dim>(a));
-    std::array<Tensor<1, dim>, dim - 1> tangents;
-    for (unsigned int b = 0; b < n_nodes_per_facet(); ++b)
-      for (unsigned int k = 0; k < dim - 1; ++k)
-        tangents[k] += shape.derivative(b, k) * position(facet.nodes[b], u);
-    const Tensor<1, dim> outward = outward_normal(tangents);
-    return outward / outward.norm();
+    std::vector<Point<dim>> positions;
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      positions.push_back(position(i, u));
+    return positions;
   }
 
 
 
   template<int dim>
-  std::vector<Tensor<1, dim>>
-  Surface<dim>::normals(const GhostedVector &u) const
+  Tensor<1, dim> Surface<dim>::normal_at(const unsigned int   node,
+                                         const GhostedVector &u) const
   {
-    std::vector<Tensor<1, dim>> normals(nodes.size());
-    for (const SurfaceFacet<dim> &facet : facets)
-      for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
-        normals[facet.nodes[a]] += normal(facet, a, u);
-    for (Tensor<1, dim> &normal : normals)
-      normal /= normal.norm();
-    return normals;
+    Tensor<1, dim> sum;
+    for (const unsigned int e : facets_of_node[node])
+      {
+        PerFacetNode<dim, Point<dim>> x;
+        for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+          x[a] = position(facets[e].nodes[a], u);
+        sum +=
+          facet_normal<dim>(degree, x, node_place<dim>(number_in(e, node)));
+      }
+    return sum / sum.norm();
   }
 
 
@@ -386,12 +383,7 @@ namespace Contact
           {
             if (done.count(e) > 0)
               continue;
-            const auto number_in = [&](const unsigned int facet) {
-              const auto &of_facet = facets[facet].nodes;
-              return std::find(of_facet.begin(), of_facet.end(), i) -
-                     of_facet.begin();
-            };
-            const auto         side = same_side(e, number_in(e));
+            const auto         side = same_side(e, number_in(e, i));
             const unsigned int copy = done.empty() ? i : nodes.size();
             if (copy != i)
               {
@@ -402,7 +394,7 @@ namespace Contact
             side_of[copy] = side;
             done.insert(side.begin(), side.end());
             for (const unsigned int facet : side)
-              new_facets[facet].nodes[number_in(facet)] = copy;
+              new_facets[facet].nodes[number_in(facet, i)] = copy;
           }
       }
 
@@ -448,42 +440,6 @@ namespace Contact
   }
 
 
-
-  template<int dim>
-  FacetNormals<dim> Surface<dim>::facet_normals(const GhostedVector &u) const
-  {
-    const auto        mean = normals(u);
-    FacetNormals<dim> normals(facets.size());
-    for (unsigned int e = 0; e < facets.size(); ++e)
-      for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
-        {
-          const unsigned int node = facets[e].nodes[a];
-          normals[e][a]           = parted[e][a].empty()
-                                      ? mean[node]
-                                      : mean_normal(node, parted[e][a], u);
-        }
-    return normals;
-  }
-
-
-
-  template<int dim>
-  Tensor<1, dim>
-  Surface<dim>::mean_normal(const unsigned int               node,
-                            const std::vector<unsigned int> &of_facets,
-                            const GhostedVector             &u) const
-  {
-    Tensor<1, dim> sum;
-    for (const unsigned int e : of_facets)
-      {
-        const auto &of_facet = facets[e].nodes;
-        sum += normal(facets[e],
-                      std::find(of_facet.begin(), of_facet.end(), node) -
-                        of_facet.begin(),
-                      u);
-      }
-    return of_facets.size() == 1 ? sum : sum / sum.norm();
-  }
 
   template class Surface<2>;
   template class Surface<3>;

@@ -48,13 +48,29 @@ namespace Contact
         }
     }
 
+    using Values = std::array<Number, 3>;
+
+    /// The values alone.
+    static Values values(const unsigned int degree, const Number &xi)
+    {
+      return FacetShapes(degree, xi).value;
+    }
+
     /// The derivative of a function along a coordinate of the facet.
     const Number &derivative(const unsigned int a, const unsigned int) const
     {
       return first[a];
     }
 
-    std::array<Number, 3> value, first, second;
+    /// The same along two coordinates.
+    const Number &second_derivative(const unsigned int a,
+                                    const unsigned int,
+                                    const unsigned int) const
+    {
+      return second[a];
+    }
+
+    Values value, first, second;
   };
 
   template<typename Number>
@@ -106,6 +122,13 @@ namespace Contact
       return first[k][a];
     }
 
+    const Number &second_derivative(const unsigned int a,
+                                    const unsigned int k,
+                                    const unsigned int l) const
+    {
+      return k == l ? second[k][a] : mixed[a];
+    }
+
     using Values = std::array<Number, max_nodes>;
 
     /// The values alone.
@@ -131,6 +154,34 @@ namespace Contact
   template<int dim>
   using FacetPoint = std::conditional_t<dim == 2, double, Point<2>>;
 
+  /// One of its coordinates.
+  inline double &coordinate(double &xi, const unsigned int)
+  {
+    return xi;
+  }
+  inline double coordinate(const double &xi, const unsigned int)
+  {
+    return xi;
+  }
+  inline double &coordinate(Point<2> &xi, const unsigned int k)
+  {
+    return xi[k];
+  }
+  inline double coordinate(const Point<2> &xi, const unsigned int k)
+  {
+    return xi[k];
+  }
+
+  /// The absolute value of the largest one: on the facet at most 1.
+  inline double largest_coordinate(const double xi)
+  {
+    return std::abs(xi);
+  }
+  inline double largest_coordinate(const Point<2> &xi)
+  {
+    return std::max(std::abs(xi[0]), std::abs(xi[1]));
+  }
+
   /// The coordinates of a node of a facet.
   template<int dim>
   FacetPoint<dim> node_place(const unsigned int a);
@@ -138,6 +189,13 @@ namespace Contact
   FacetPoint<2> node_place<2>(const unsigned int a);
   template<>
   FacetPoint<3> node_place<3>(const unsigned int a);
+
+  /// Whether a node of a facet is on one of its sides.
+  template<int dim>
+  bool is_on_side(const unsigned int a, const unsigned int side)
+  {
+    return coordinate(node_place<dim>(a), side / 2) == (side % 2 == 0 ? -1 : 1);
+  }
 
   /// Something at each node of a facet.
   template<int dim, typename T>
@@ -182,13 +240,32 @@ namespace Contact
 
 
 
-  /// What facets of both dimensions have.
+  /**
+   * A facet: in the plane an edge, with the body to its left, in space a
+   * quadrangle, whose coordinates are a right-handed system with the outward
+   * normal. Its sides, of an edge its ends, in the order of deal.II: where the
+   * first coordinate is -1 and 1, then the second one.
+   */
   template<int dim>
-  struct FacetOfBody
+  struct SurfaceFacet
   {
+    static constexpr unsigned int n_sides =
+      GeometryInfo<dim - 1>::faces_per_cell;
+
+    /// Something of each side.
+    template<typename T>
+    using PerSide = std::array<T, n_sides>;
+
+    SurfaceFacet()
+    {
+      nodes.fill(0);
+      neighbors.fill(numbers::invalid_unsigned_int);
+      ends_face.fill(true);
+    }
+
     /// In the order of the shape functions.
     PerFacetNode<dim, unsigned int> nodes;
-    types::material_id              body;
+    types::material_id              body = 0;
 
     /// The connected part of the mesh it belongs to, which may be of several
     /// bodies, or a part of one.
@@ -203,56 +280,31 @@ namespace Contact
 
     /// The same of all surfaces that have it.
     FacetName<dim> name;
-  };
-
-  template<int dim>
-  struct SurfaceFacet;
-
-
-
-  /// An edge. The body lies to its left.
-  template<>
-  struct SurfaceFacet<2> : public FacetOfBody<2>
-  {
-    bool         begins_surface = false, ends_surface = false;
-    unsigned int previous = numbers::invalid_unsigned_int; // along the chain,
-    unsigned int next     = numbers::invalid_unsigned_int; // or invalid
-
-    /// Corners at the first and the last node.
-    std::array<bool, 2> corner{{false, false}};
-
-    /// Feature nodes: corners, and kinks from half of Surface::feature_angle on
-    /// that stand alone. Those of a curve that the mesh has drawn as a polygon
-    /// do not.
-    std::array<bool, 2> is_feature{{false, false}};
-
-    /// A face ends where the surface ends, and at convex corners: beyond
-    /// them nothing faces it.
-    bool begins_face = false, ends_face = false;
-  };
-
-
-
-  /// A quadrangle, whose coordinates are a right-handed system with the outward
-  /// normal. Sides in the order of deal.II: where the first coordinate is -1
-  /// and 1, then the second one.
-  template<>
-  struct SurfaceFacet<3> : public FacetOfBody<3>
-  {
-    static constexpr std::array<std::array<unsigned int, 2>, 4> corners_of_side{
-      {{{0, 2}}, {{1, 3}}, {{0, 1}}, {{2, 3}}}};
 
     /// The facets across the sides, invalid where the surface ends.
-    std::array<unsigned int, 4> neighbors{{numbers::invalid_unsigned_int,
-                                           numbers::invalid_unsigned_int,
-                                           numbers::invalid_unsigned_int,
-                                           numbers::invalid_unsigned_int}};
+    PerSide<unsigned int> neighbors;
 
-    /// Where a corner is between the two, and where it is convex: as at an end
-    /// of the surface nothing faces the facet beyond it.
-    std::array<bool, 4> corner{{false, false, false, false}};
-    std::array<bool, 4> ends_face{{true, true, true, true}};
+    bool ends_surface(const unsigned int side) const
+    {
+      return neighbors[side] == numbers::invalid_unsigned_int;
+    }
+
+    /// Where a corner is between the two.
+    PerSide<bool> corner{};
+
+    /// A face ends where the surface ends, and at convex corners: beyond them
+    /// nothing faces it.
+    PerSide<bool> ends_face;
+
+    /// In the plane, feature nodes: corners, and kinks from half of
+    /// Surface::feature_angle on that stand alone. Those of a curve that the
+    /// mesh has drawn as a polygon do not.
+    PerSide<bool> is_feature{};
   };
+
+  /// The corners at the ends of the sides of a quadrangle.
+  constexpr std::array<std::array<unsigned int, 2>, 4> corners_of_side{
+    {{{0, 2}}, {{1, 3}}, {{0, 1}}, {{2, 3}}}};
 
 
 
@@ -352,24 +404,29 @@ namespace Contact
     /// Current position of a node; of an empty vector the undeformed one.
     Point<dim> position(const unsigned int node, const GhostedVector &u) const;
 
-    /// The outward unit normals at the nodes of the deformed surface: the mean
-    /// of those of the facets that meet there.
-    std::vector<Tensor<1, dim>> normals(const GhostedVector &u) const;
+    std::vector<Point<dim>> positions(const GhostedVector &u) const;
 
-    /// The same at one node.
+    /// The outward unit normal at a node: the mean of those of the facets that
+    /// meet there.
     Tensor<1, dim> normal_at(const unsigned int   node,
-                             const GhostedVector &u) const
-    {
-      return mean_normal(node, facets_of_node[node], u);
-    }
+                             const GhostedVector &u) const;
 
-    /// The same by facet: at corners the normal of the facets on its side
-    /// alone.
-    FacetNormals<dim> facet_normals(const GhostedVector &u) const;
+    /// The number of a node among those of a facet around it.
+    unsigned int number_in(const unsigned int facet,
+                           const unsigned int node) const
+    {
+      const auto &of_facet = facets[facet].nodes;
+      return std::find(of_facet.begin(), of_facet.end(), node) -
+             of_facet.begin();
+    }
 
     /// The facets around a node of a facet that no corner parts from it.
     std::vector<unsigned int> smooth_around(const unsigned int facet,
                                             const unsigned int a) const;
+
+    /// By facet and node smooth_around(), where that is not all facets around
+    /// the node; else nothing.
+    std::vector<PerFacetNode<dim, std::vector<unsigned int>>> parted;
 
     /// The size of a facet, undeformed [mm]: the distance of the ends of an
     /// edge, the shorter one of the diagonals by the root of two.
@@ -419,25 +476,11 @@ namespace Contact
     std::vector<unsigned int> same_side(const unsigned int facet,
                                         const unsigned int a) const;
 
-    /// The outward unit normal at a node by some of the facets around it.
-    Tensor<1, dim> mean_normal(const unsigned int               node,
-                               const std::vector<unsigned int> &of_facets,
-                               const GhostedVector             &u) const;
-
     /// The direction of an edge at its coordinate xi, undeformed.
     Tensor<1, dim> reference_tangent(const SurfaceFacet<dim> &edge,
                                      const double             xi) const;
 
-    /// The outward unit normal at a node of a facet by that facet alone.
-    Tensor<1, dim> normal(const SurfaceFacet<dim> &facet,
-                          const unsigned int       a,
-                          const GhostedVector     &u) const;
-
     const Discretization<dim> &discretization;
-
-    /// By facet and node smooth_around(), where that is not all facets around
-    /// the node; else nothing.
-    std::vector<PerFacetNode<dim, std::vector<unsigned int>>> parted;
   };
 
 
@@ -491,6 +534,23 @@ namespace Contact
   outward_normal(const std::array<Tensor<1, 3, Number>, 2> &tangents)
   {
     return cross_product_3d(tangents[0], tangents[1]);
+  }
+
+  /// The outward unit normal of a facet at a place of it, from the positions of
+  /// its nodes.
+  template<int dim>
+  Tensor<1, dim> facet_normal(const unsigned int                   degree,
+                              const PerFacetNode<dim, Point<dim>> &x,
+                              const FacetPoint<dim>               &xi)
+  {
+    const FacetShape<dim>               shape(degree, xi);
+    std::array<Tensor<1, dim>, dim - 1> tangents;
+    for (unsigned int a = 0; a < Utilities::fixed_power<dim - 1>(degree + 1);
+         ++a)
+      for (unsigned int k = 0; k < dim - 1; ++k)
+        tangents[k] += shape.derivative(a, k) * x[a];
+    const Tensor<1, dim> outward = outward_normal(tangents);
+    return outward / outward.norm();
   }
 
   /// The vectors along a facet with d_i . t_j = delta_ij.

@@ -47,16 +47,12 @@ namespace Contact
   template<>
   void Surface<2>::chain_edges()
   {
-    std::map<unsigned int, unsigned int> begins_at, ends_at;
+    std::map<unsigned int, unsigned int> begins_at;
+    std::set<unsigned int>               ends;
     for (unsigned int e = 0; e < facets.size(); ++e)
       {
         begins_at[facets[e].nodes[0]] = e;
-        ends_at[facets[e].nodes[1]]   = e;
-      }
-    for (SurfaceFacet<2> &edge : facets)
-      {
-        edge.begins_surface = ends_at.count(edge.nodes[0]) == 0;
-        edge.ends_surface   = begins_at.count(edge.nodes[1]) == 0;
+        ends.insert(facets[e].nodes[1]);
       }
 
     // Follow every open chain from its beginning, then what is left: loops.
@@ -67,12 +63,13 @@ namespace Contact
         {
           taken[e] = true;
           chained.push_back(facets[e]);
-          if (!facets[e].ends_surface)
-            e = begins_at[facets[e].nodes[1]];
+          if (const auto next = begins_at.find(facets[e].nodes[1]);
+              next != begins_at.end())
+            e = next->second;
         }
     };
     for (unsigned int e = 0; e < facets.size(); ++e)
-      if (facets[e].begins_surface)
+      if (ends.count(facets[e].nodes[0]) == 0)
         follow(e);
     for (unsigned int e = 0; e < facets.size(); ++e)
       follow(e);
@@ -117,10 +114,11 @@ namespace Contact
       begins_at[facets[e].nodes[0]] = e;
     collect_facets_of_nodes();
     for (unsigned int e = 0; e < facets.size(); ++e)
-      if (!facets[e].ends_surface)
+      if (const auto next = begins_at.find(facets[e].nodes[1]);
+          next != begins_at.end())
         {
-          facets[e].next                  = begins_at.at(facets[e].nodes[1]);
-          facets[facets[e].next].previous = e;
+          facets[e].neighbors[1]            = next->second;
+          facets[next->second].neighbors[0] = e;
         }
   }
 
@@ -133,18 +131,14 @@ namespace Contact
   {
     for (SurfaceFacet<2> &edge : facets)
       {
-        edge.begins_face = edge.begins_face || edge.begins_surface;
-        edge.ends_face   = edge.ends_face || edge.ends_surface;
-        if (edge.previous == numbers::invalid_unsigned_int)
+        if (edge.ends_surface(0))
           continue;
-        SurfaceFacet<2> &before = facets[edge.previous];
+        SurfaceFacet<2> &before = facets[edge.neighbors[0]];
         const double     turn =
           angle(reference_tangent(before, 1), reference_tangent(edge, -1));
-        if (std::abs(turn) <= numbers::PI / 180 * feature_angle)
-          continue;
-        before.corner[1] = edge.corner[0] = true;
-        if (turn > 0)
-          before.ends_face = edge.begins_face = true;
+        const double limit = numbers::PI / 180 * feature_angle;
+        before.corner[1] = edge.corner[0] = std::abs(turn) > limit;
+        before.ends_face[1] = edge.ends_face[0] = turn > limit;
       }
   }
 
@@ -157,23 +151,22 @@ namespace Contact
   void Surface<2>::find_features()
   {
     const auto turn_at = [this](const unsigned int e) {
-      return e == numbers::invalid_unsigned_int ||
-                 facets[e].previous == numbers::invalid_unsigned_int
+      return e == numbers::invalid_unsigned_int || facets[e].ends_surface(0)
                ? numbers::PI
                : std::abs(
-                   angle(reference_tangent(facets[facets[e].previous], 1),
+                   angle(reference_tangent(facets[facets[e].neighbors[0]], 1),
                          reference_tangent(facets[e], -1)));
     };
     for (unsigned int e = 0; e < facets.size(); ++e)
       {
         SurfaceFacet<2> &edge = facets[e];
-        if (edge.previous == numbers::invalid_unsigned_int)
+        if (edge.ends_surface(0))
           continue;
         const double turn = turn_at(e);
         const bool   is_alone =
           turn > numbers::PI / 360 * feature_angle &&
-          turn_at(edge.previous) + turn_at(edge.next) < turn / 2;
-        facets[edge.previous].is_feature[1] = edge.is_feature[0] =
+          turn_at(edge.neighbors[0]) + turn_at(edge.neighbors[1]) < turn / 2;
+        facets[edge.neighbors[0]].is_feature[1] = edge.is_feature[0] =
           edge.corner[0] || is_alone;
       }
   }
@@ -185,14 +178,14 @@ namespace Contact
   template<>
   double Surface<2>::turn_of_curves(const unsigned int e) const
   {
-    if (facets[e].previous == numbers::invalid_unsigned_int)
+    if (facets[e].ends_surface(0))
       return 0;
     const auto half = [this](const SurfaceFacet<2> &edge,
                              const unsigned int     a) {
       const Point<2> end = nodes[edge.nodes[a]].X;
       return a == 0 ? edge.middle - end : end - edge.middle;
     };
-    const SurfaceFacet<2> &before = facets[facets[e].previous];
+    const SurfaceFacet<2> &before = facets[facets[e].neighbors[0]];
     return angle(half(before, 1), half(facets[e], 0)) -
            0.5 * (angle(half(before, 0), half(before, 1)) +
                   angle(half(facets[e], 0), half(facets[e], 1)));
@@ -209,9 +202,9 @@ namespace Contact
     };
     for (const SurfaceFacet<2> &edge : facets)
       {
-        if (edge.previous != numbers::invalid_unsigned_int)
+        if (!edge.ends_surface(0))
           turns[edge.nodes[0]] =
-            std::abs(angle(chord(facets[edge.previous]), chord(edge)));
+            std::abs(angle(chord(facets[edge.neighbors[0]]), chord(edge)));
         if (degree == 2)
           turns[edge.nodes[2]] = std::abs(
             angle(reference_tangent(edge, -1), reference_tangent(edge, 1)));
@@ -220,7 +213,7 @@ namespace Contact
     // The body ends there, or it goes on with a side that is in no group.
     for (const SurfaceFacet<2> &edge : facets)
       for (unsigned int a = 0; a < 2; ++a)
-        if (a == 0 ? edge.begins_surface : edge.ends_surface)
+        if (edge.ends_surface(a))
           turns[edge.nodes[a]] = numbers::PI / 2;
   }
 
@@ -233,13 +226,11 @@ namespace Contact
                                                   const unsigned int a) const
   {
     const unsigned int node = facets[e].nodes[a];
-    const unsigned int next =
-      a == 0 ? e : (a == 1 ? facets[e].next : numbers::invalid_unsigned_int);
-    const bool is_cut =
-      a < 2 && facets[e].is_feature[a] &&
-      next != numbers::invalid_unsigned_int &&
+    const bool         is_cut =
+      a < 2 && facets[e].is_feature[a] && !facets[e].ends_surface(a) &&
       (!facets[e].corner[a] ||
-       std::abs(turn_of_curves(next)) > numbers::PI / 180 * feature_angle);
+       std::abs(turn_of_curves(a == 0 ? e : facets[e].neighbors[1])) >
+         numbers::PI / 180 * feature_angle);
     return is_cut ? std::vector<unsigned int>{e} : facets_of_node[node];
   }
 
@@ -251,9 +242,8 @@ namespace Contact
   {
     for (SurfaceFacet<2> &edge : facets)
       {
-        edge.previous = edge.next = numbers::invalid_unsigned_int;
-        edge.begins_face = edge.ends_face = false;
-        edge.corner = edge.is_feature = {{false, false}};
+        edge.neighbors.fill(numbers::invalid_unsigned_int);
+        edge.ends_face.fill(true);
       }
     arrange();
     for (SurfaceFacet<2> &edge : facets)
@@ -299,11 +289,11 @@ namespace Contact
     };
     double largest = 0;
     for (const SurfaceFacet<2> &edge : facets)
-      if (edge.previous != numbers::invalid_unsigned_int)
+      if (!edge.ends_surface(0))
         {
           const double bend =
             180 / numbers::PI *
-            std::abs(angle(chord(facets[edge.previous]), chord(edge)));
+            std::abs(angle(chord(facets[edge.neighbors[0]]), chord(edge)));
           if (!edge.corner[0] && is_straight(edge))
             largest = std::max(largest, bend);
         }

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <map>
 
-#include "contact/surfaces/surface.h"
+#include "contact/surfaces/deformed_surface.h"
 
 namespace Contact
 {
@@ -45,7 +45,7 @@ namespace Contact
     for (unsigned int e = 0; e < facets.size(); ++e)
       for (unsigned int s = 0; s < 4; ++s)
         {
-          const auto [a, b] = SurfaceFacet<3>::corners_of_side[s];
+          const auto [a, b] = corners_of_side[s];
           const Side ends = std::minmax(facets[e].nodes[a], facets[e].nodes[b]);
           const auto halve = [&](const unsigned int middle) {
             side_of.emplace(std::minmax(ends.first, middle), Side(e, s));
@@ -62,15 +62,14 @@ namespace Contact
     for (unsigned int e = 0; e < facets.size(); ++e)
       for (unsigned int s = 0; s < 4; ++s)
         {
-          const auto [a, b] = SurfaceFacet<3>::corners_of_side[s];
+          const auto [a, b] = corners_of_side[s];
           const auto larger =
             side_of.find(std::minmax(facets[e].nodes[a], facets[e].nodes[b]));
-          if (facets[e].neighbors[s] != numbers::invalid_unsigned_int ||
-              larger == side_of.end())
+          if (!facets[e].ends_surface(s) || larger == side_of.end())
             continue;
           const auto [other, side] = larger->second;
           facets[e].neighbors[s]   = other;
-          if (facets[other].neighbors[side] == numbers::invalid_unsigned_int)
+          if (facets[other].ends_surface(side))
             facets[other].neighbors[side] = e;
         }
   }
@@ -84,7 +83,7 @@ namespace Contact
     for (unsigned int e = 0; e < facets.size(); ++e)
       for (unsigned int s = 0; s < 4; ++s)
         {
-          const auto [a, b] = SurfaceFacet<3>::corners_of_side[s];
+          const auto [a, b] = corners_of_side[s];
           const Side ends = std::minmax(facets[e].nodes[a], facets[e].nodes[b]);
           const auto found = side_of.emplace(ends, Side(e, s));
           if (found.second)
@@ -104,28 +103,30 @@ namespace Contact
   template<>
   void Surface<3>::find_corners()
   {
-    const GhostedVector undeformed;
-    const auto normal_at = [&](const SurfaceFacet<3> &facet, const Side &ends) {
+    const DeformedSurface<3> drawn(*this, {});
+    const auto normal_at = [&](const unsigned int e, const Side &ends) {
       Tensor<1, 3> sum;
       for (unsigned int a = 0; a < 4; ++a)
-        if (facet.nodes[a] == ends.first || facet.nodes[a] == ends.second)
-          sum += normal(facet, a, undeformed);
+        if (facets[e].nodes[a] == ends.first ||
+            facets[e].nodes[a] == ends.second)
+          sum += drawn.normal(e, node_place<3>(a));
       return sum / sum.norm();
     };
     const double smallest_cosine = std::cos(numbers::PI / 180 * feature_angle);
-    for (SurfaceFacet<3> &facet : facets)
+    for (unsigned int e = 0; e < facets.size(); ++e)
       for (unsigned int s = 0; s < 4; ++s)
         {
-          if (facet.neighbors[s] == numbers::invalid_unsigned_int)
+          SurfaceFacet<3> &facet = facets[e];
+          if (facet.ends_surface(s))
             continue;
-          const SurfaceFacet<3> &other = facets[facet.neighbors[s]];
-          const auto [a, b]            = SurfaceFacet<3>::corners_of_side[s];
+          const auto [a, b] = corners_of_side[s];
           const Side         ends(facet.nodes[a], facet.nodes[b]);
-          const Tensor<1, 3> own  = normal_at(facet, ends);
-          const Tensor<1, 3> next = normal_at(other, ends);
+          const Tensor<1, 3> own  = normal_at(e, ends);
+          const Tensor<1, 3> next = normal_at(facet.neighbors[s], ends);
           facet.corner[s]         = own * next < smallest_cosine;
           facet.ends_face[s] =
-            facet.corner[s] && own * (other.middle - nodes[ends.first].X) < 0;
+            facet.corner[s] &&
+            own * (facets[facet.neighbors[s]].middle - nodes[ends.first].X) < 0;
         }
   }
 
@@ -206,11 +207,12 @@ namespace Contact
   template<>
   double Surface<3>::largest_bend() const
   {
-    const GhostedVector undeformed;
-    double              smallest_cosine = 1;
-    for (const SurfaceFacet<3> &facet : facets)
+    const DeformedSurface<3> drawn(*this, {});
+    double                   smallest_cosine = 1;
+    for (unsigned int e = 0; e < facets.size(); ++e)
       {
-        Tensor<1, 3> centre;
+        const SurfaceFacet<3> &facet = facets[e];
+        Tensor<1, 3>           centre;
         for (unsigned int a = 0; a < 4; ++a)
           centre += 0.25 * Tensor<1, 3>(nodes[facet.nodes[a]].X);
         const double size =
@@ -218,12 +220,11 @@ namespace Contact
         if ((facet.middle - centre).norm() > 1e-6 * size)
           continue;
         for (unsigned int s = 0; s < 4; ++s)
-          if (!facet.corner[s] &&
-              facet.neighbors[s] != numbers::invalid_unsigned_int)
+          if (!facet.corner[s] && !facet.ends_surface(s))
             smallest_cosine =
               std::min(smallest_cosine,
-                       normal(facet, 0, undeformed) *
-                         normal(facets[facet.neighbors[s]], 0, undeformed));
+                       drawn.normal(e, node_place<3>(0)) *
+                         drawn.normal(facet.neighbors[s], node_place<3>(0)));
       }
     return 180 / numbers::PI * std::acos(std::max(-1., smallest_cosine));
   }

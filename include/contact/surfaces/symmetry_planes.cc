@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/surfaces/face_search.h"
-
 namespace Contact
 {
   SymmetryPlanes::SymmetryPlanes(const Surface<3>        &slave,
@@ -56,11 +54,12 @@ namespace Contact
 
 
   // A surface that lies in the plane or meets it at a slant has its own normal.
-  FacetNormals<3> SymmetryPlanes::facet_normals(const Surface<3>    &surface,
-                                                const GhostedVector &u) const
+  FacetNormals<3>
+  SymmetryPlanes::facet_normals(const DeformedSurface<3> &now) const
   {
-    FacetNormals<3> normals = surface.facet_normals(u);
-    const double    smooth  = Surface<3>::sine_of_smooth_slant();
+    const Surface<3> &surface = now.surface;
+    FacetNormals<3>   normals = now.facet_normals();
+    const double      smooth  = Surface<3>::sine_of_smooth_slant();
     for (unsigned int e = 0; e < surface.facets.size() && !planes.empty(); ++e)
       for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
         for (const Plane &plane : planes)
@@ -79,17 +78,6 @@ namespace Contact
 
 
 
-  namespace
-  {
-    /// Whether a node of a facet is on one of its sides.
-    bool is_on_side(const unsigned int a, const unsigned int side)
-    {
-      return node_place<3>(a)[side / 2] == (side % 2 == 0 ? -1 : 1);
-    }
-  } // namespace
-
-
-
   // With its mirror image the surface goes on there.
   bool SymmetryPlanes::is_in_plane(const Surface<3>      &surface,
                                    const SurfaceFacet<3> &facet,
@@ -97,7 +85,8 @@ namespace Contact
   {
     return std::any_of(planes.begin(), planes.end(), [&](const Plane &plane) {
       for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-        if (is_on_side(a, side) && !is_on(plane, surface.nodes[facet.nodes[a]]))
+        if (is_on_side<3>(a, side) &&
+            !is_on(plane, surface.nodes[facet.nodes[a]]))
           return false;
       return true;
     });
@@ -108,9 +97,8 @@ namespace Contact
   std::vector<double> SymmetryPlanes::bends(const Surface<3> &surface,
                                             const bool        with_ends) const
   {
-    const GhostedVector       undeformed(discretization.distribution);
-    const auto                means = facet_normals(surface, undeformed);
-    const SurfaceSearch<3>    search(surface, undeformed);
+    const DeformedSurface<3>  drawn(surface, {});
+    const auto                means = facet_normals(drawn);
     std::vector<double>       bends(surface.nodes.size(), 0.);
     std::vector<Tensor<1, 3>> mean(surface.nodes.size());
     for (unsigned int e = 0; e < surface.facets.size(); ++e)
@@ -120,7 +108,7 @@ namespace Contact
       for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
         {
           const unsigned int node = surface.facets[e].nodes[a];
-          const Tensor<1, 3> own  = search.normal(e, node_place<3>(a));
+          const Tensor<1, 3> own  = drawn.normal(e, node_place<3>(a));
           bends[node]             = std::max(bends[node],
                                  (own - mean[node] / mean[node].norm()).norm());
         }
@@ -133,10 +121,9 @@ namespace Contact
     const double half_of_right_angle = 2 * std::sin(numbers::PI / 8);
     for (const SurfaceFacet<3> &facet : surface.facets)
       for (unsigned int s = 0; s < 4; ++s)
-        if (facet.neighbors[s] == numbers::invalid_unsigned_int &&
-            !is_in_plane(surface, facet, s))
+        if (facet.ends_surface(s) && !is_in_plane(surface, facet, s))
           for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-            if (is_on_side(a, s))
+            if (is_on_side<3>(a, s))
               bends[facet.nodes[a]] =
                 std::max(bends[facet.nodes[a]], half_of_right_angle);
     return bends;

@@ -6,7 +6,7 @@
 #ifndef contact_symmetry_planes_h
 #define contact_symmetry_planes_h
 
-#include "contact/surfaces/surface.h"
+#include "contact/surfaces/deformed_surface.h"
 
 namespace Contact
 {
@@ -25,10 +25,9 @@ namespace Contact
                    const Surface<3>        &master,
                    const Discretization<3> &discretization);
 
-    /// Surface::facet_normals() of either surface, along the planes that their
-    /// nodes are on.
-    FacetNormals<3> facet_normals(const Surface<3>    &surface,
-                                  const GhostedVector &u) const;
+    /// DeformedSurface::facet_normals() of either surface, along the planes
+    /// that their nodes are on.
+    FacetNormals<3> facet_normals(const DeformedSurface<3> &now) const;
 
     /// By node of the undeformed surface, the largest angle [rad] between a
     /// facet there and the mean, that of all facets around an edge or a corner,

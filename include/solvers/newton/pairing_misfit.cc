@@ -17,10 +17,8 @@ namespace Contact
     template<int dim>
     double size(const Surface<dim> &surface, const GhostedVector &solution)
     {
-      std::vector<Point<dim>> positions;
-      for (unsigned int n = 0; n < surface.nodes.size(); ++n)
-        positions.push_back(surface.position(n, solution));
-      const auto corners = BoundingBox<dim>(positions).get_boundary_points();
+      const auto corners =
+        BoundingBox<dim>(surface.positions(solution)).get_boundary_points();
       return corners.first.distance(corners.second);
     }
 

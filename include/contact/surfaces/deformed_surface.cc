@@ -1,0 +1,570 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/surfaces/deformed_surface.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace Contact
+{
+  namespace
+  {
+    /// Whether a direction is between the normals of the two edges of a convex
+    /// corner.
+    bool is_between(const std::vector<Tensor<1, 2>> &normals,
+                    const Tensor<1, 2>              &direction)
+    {
+      const Tensor<1, 2> &first = normals.front(), &last = normals.back();
+      return cross(first, direction) > 0 && cross(direction, last) > 0 &&
+             cross(first, last) > 0;
+    }
+
+    bool is_between(const std::vector<Tensor<1, 3>> &, const Tensor<1, 3> &)
+    {
+      return false;
+    }
+
+
+
+    /// Lines of nodes along a coordinate of a facet: the first, the last and
+    /// the middle one.
+    using NodeLine = std::array<unsigned int, 3>;
+
+    template<int dim>
+    std::vector<NodeLine> lines_along(const unsigned int k);
+
+    template<>
+    std::vector<NodeLine> lines_along<2>(const unsigned int)
+    {
+      return {{{0, 1, 2}}};
+    }
+
+    // The last one is there at degree 2 alone.
+    template<>
+    std::vector<NodeLine> lines_along<3>(const unsigned int k)
+    {
+      if (k == 0)
+        return {{{0, 1, 6}}, {{2, 3, 7}}, {{4, 5, 8}}};
+      return {{{0, 2, 4}}, {{1, 3, 5}}, {{6, 7, 8}}};
+    }
+  } // namespace
+
+
+
+  template<int dim>
+  double NormalCone<dim>::largest_cosine(const Tensor<1, dim> &normal) const
+  {
+    double largest = -1;
+    for (const Tensor<1, dim> &n : normals)
+      largest = std::max(largest, -(normal * n));
+    return largest;
+  }
+
+
+
+  template<int dim>
+  bool NormalCone<dim>::faces(const Tensor<1, dim> &normal) const
+  {
+    const double largest = largest_cosine(normal);
+    return std::none_of(others.begin(),
+                        others.end(),
+                        [&](const auto &n) {
+                          return -(normal * n) > largest;
+                        }) &&
+           (largest >= smallest_cosine() || is_between(normals, -normal));
+  }
+
+
+
+  template<int dim>
+  bool NormalCone<dim>::is_beside(const Tensor<1, dim> &normal) const
+  {
+    return largest_cosine(normal) > -smallest_cosine();
+  }
+
+
+
+  template<int dim>
+  DeformedSurface<dim>::DeformedSurface(const Surface<dim>  &surface,
+                                        const GhostedVector &u)
+    : surface(surface)
+    , positions(surface.positions(u))
+  {
+  }
+
+
+
+  template<int dim>
+  const typename DeformedSurface<dim>::Tree &DeformedSurface<dim>::tree() const
+  {
+    if (!boxes)
+      {
+        std::vector<std::pair<Box, unsigned int>> entries;
+        for (unsigned int e = 0; e < surface.facets.size(); ++e)
+          entries.emplace_back(Box(hull(e)), e);
+        boxes = pack_rtree(entries);
+      }
+    return *boxes;
+  }
+
+
+
+  template<int dim>
+  std::vector<Tensor<1, dim>> DeformedSurface<dim>::normals() const
+  {
+    std::vector<Tensor<1, dim>> normals(positions.size());
+    for (unsigned int e = 0; e < surface.facets.size(); ++e)
+      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+        normals[surface.facets[e].nodes[a]] += normal(e, node_place<dim>(a));
+    for (Tensor<1, dim> &normal : normals)
+      normal /= normal.norm();
+    return normals;
+  }
+
+
+
+  template<int dim>
+  const FacetNormals<dim> &DeformedSurface<dim>::facet_normals() const
+  {
+    if (of_facets)
+      return *of_facets;
+    const auto        mean = normals();
+    FacetNormals<dim> by_facet(surface.facets.size());
+    for (unsigned int e = 0; e < surface.facets.size(); ++e)
+      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+        {
+          const unsigned int node = surface.facets[e].nodes[a];
+          by_facet[e][a]          = mean[node];
+          if (surface.parted[e][a].empty())
+            continue;
+          Tensor<1, dim> sum;
+          for (const unsigned int f : surface.parted[e][a])
+            sum += normal(f, node_place<dim>(surface.number_in(f, node)));
+          by_facet[e][a] = sum / sum.norm();
+        }
+    of_facets = std::move(by_facet);
+    return *of_facets;
+  }
+
+
+
+  template<int dim>
+  typename DeformedSurface<dim>::Nodes
+  DeformedSurface<dim>::facet_positions(const unsigned int facet) const
+  {
+    Nodes x;
+    for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+      x[a] = positions[surface.facets[facet].nodes[a]];
+    return x;
+  }
+
+
+
+  template<int dim>
+  std::pair<double, double>
+  DeformedSurface<dim>::range(const unsigned int facet,
+                              const unsigned int k,
+                              const double       extension) const
+  {
+    const auto &ends = surface.facets[facet].ends_face;
+    return {-1 - std::max(extension, ends[2 * k] ? overhang : 0.),
+            1 + std::max(extension, ends[2 * k + 1] ? overhang : 0.)};
+  }
+
+
+
+  // At degree 2 the middle one of the control points of a line of three nodes
+  // a, m, b is 2 m - (a + b) / 2. With an overhang the line goes on to where
+  // its own control points are.
+  template<int dim>
+  std::vector<Point<dim>>
+  DeformedSurface<dim>::hull(const unsigned int facet) const
+  {
+    Nodes points = facet_positions(facet);
+    for (unsigned int k = 0; k < dim - 1; ++k)
+      for (const auto &[first, last, middle] : lines_along<dim>(k))
+        {
+          const auto [begin, end] = range(facet, k);
+          const Point<dim>     a = points[first], b = points[last];
+          const Tensor<1, dim> slope = 0.5 * (b - a);
+          if (surface.degree == 1)
+            {
+              points[first] = a + (begin + 1) * slope;
+              points[last]  = b + (end - 1) * slope;
+              continue;
+            }
+          const Point<dim>     m    = points[middle];
+          const Tensor<1, dim> bend = 0.5 * ((a - m) + (b - m));
+          points[first]             = m + begin * slope + begin * begin * bend;
+          points[last]              = m + end * slope + end * end * bend;
+          points[middle] = m + 0.5 * (begin + end) * slope + begin * end * bend;
+        }
+    return {points.begin(), points.begin() + surface.n_nodes_per_facet()};
+  }
+
+
+
+  template<int dim>
+  std::vector<bool>
+  DeformedSurface<dim>::may_be_close(const DeformedSurface<dim> &other,
+                                     const double                distance) const
+  {
+    std::vector<bool> by_facet;
+    for (unsigned int e = 0; e < other.surface.facets.size(); ++e)
+      {
+        Box box(other.hull(e));
+        box.extend(distance);
+        by_facet.push_back(tree().qbegin(boost::geometry::index::intersects(
+                             box)) != tree().qend());
+      }
+    return by_facet;
+  }
+
+
+
+  template<int dim>
+  std::vector<unsigned int>
+  DeformedSurface<dim>::facets_in(const BoundingBox<dim> &box) const
+  {
+    std::vector<unsigned int> facets;
+    for (auto entry = tree().qbegin(boost::geometry::index::intersects(box));
+         entry != tree().qend();
+         ++entry)
+      facets.push_back(entry->second);
+    std::sort(facets.begin(), facets.end());
+    return facets;
+  }
+
+
+
+  template<int dim>
+  Projection<dim>
+  DeformedSurface<dim>::closest_facing(const Point<dim>      &x,
+                                       const NormalCone<dim> &directions) const
+  {
+    Projection<dim> found = choose(x, [&](const Projection<dim> &candidate) {
+      return directions.faces(normal(candidate.facet, candidate.xi));
+    });
+    if (found.off_the_end && directions.at_end)
+      {
+        const Projection<dim> next =
+          choose(x, [&](const Projection<dim> &candidate) {
+            return directions.is_beside(normal(candidate.facet, candidate.xi));
+          });
+        if (!next.off_the_end)
+          found = next;
+      }
+    return found;
+  }
+
+
+
+  template<int dim>
+  Projection<dim> DeformedSurface<dim>::closest_point(const Point<dim> &x) const
+  {
+    return choose(x, [](const Projection<dim> &) { return true; });
+  }
+
+
+
+  template<int dim>
+  Projection<dim> DeformedSurface<dim>::closest_alone(const Point<dim> &x) const
+  {
+    return closest(x, [](const Projection<dim> &) { return true; });
+  }
+
+
+
+  template<int dim>
+  Point<dim> DeformedSurface<dim>::position(const unsigned int     facet,
+                                            const FacetPoint<dim> &xi) const
+  {
+    const auto  values = FacetShape<dim>::values(surface.degree, xi);
+    const auto &nodes  = surface.facets[facet].nodes;
+    Point<dim>  x;
+    for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+      x += values[a] * positions[nodes[a]];
+    return x;
+  }
+
+
+
+  template<int dim>
+  Projection<dim> DeformedSurface<dim>::choose(const Point<dim> &x,
+                                               const Accept     &accept) const
+  {
+    Projection<dim> found = closest(x, accept);
+    if (found.facet == numbers::invalid_unsigned_int)
+      {
+        // Only to have a distance.
+        found             = closest_alone(x);
+        found.off_the_end = true;
+        return found;
+      }
+    found = choose_at_corner(x, found, accept);
+    find_twins(x, accept, found);
+    return found;
+  }
+
+
+
+  template<int dim>
+  Projection<dim> DeformedSurface<dim>::closest(const Point<dim> &x,
+                                                const Accept     &accept) const
+  {
+    namespace bgi = boost::geometry::index;
+
+    const double round_off = 1e-10;
+    ++surface.counters().projections;
+    Projection<dim> best;
+    double          best_distance = std::numeric_limits<double>::max();
+    for (auto entry = tree().qbegin(bgi::nearest(x, surface.facets.size()));
+         entry != tree().qend();
+         ++entry)
+      {
+        if (boost::geometry::comparable_distance(x, entry->first) >
+            (1 + round_off) * best_distance)
+          break;
+        ++surface.counters().candidate_pairs;
+        const Projection<dim> candidate = project(x, entry->second);
+        const double          distance  = distance_square(x, candidate);
+        if (distance < best_distance && accept(candidate) &&
+            is_closest_around(x, candidate))
+          {
+            best          = candidate;
+            best_distance = distance;
+          }
+      }
+    return best;
+  }
+
+
+
+  template<int dim>
+  bool DeformedSurface<dim>::is_closest_around(
+    const Point<dim>      &x,
+    const Projection<dim> &candidate) const
+  {
+    if (!candidate.clipped)
+      return true;
+    const double distance  = distance_square(x, candidate);
+    const double round_off = 1e-10;
+    const auto  &facet     = surface.facets[candidate.facet];
+    for (unsigned int s = 0; s < facet.n_sides; ++s)
+      if ((s % 2 == 0 ? -1 : 1) * coordinate(candidate.xi, s / 2) >= 1 &&
+          !facet.corner[s] && !facet.ends_surface(s) &&
+          distance_square(x, project(x, facet.neighbors[s])) <
+            (1 - round_off) * distance)
+        return false;
+    return true;
+  }
+
+
+
+  template<>
+  Projection<2> DeformedSurface<2>::choose_at_corner(const Point<2>      &x,
+                                                     const Projection<2> &best,
+                                                     const Accept &accept) const
+  {
+    const auto        &edge  = surface.facets[best.facet];
+    const unsigned int other = edge.neighbors[best.xi > 0 ? 1 : 0];
+    if (other == numbers::invalid_unsigned_int || std::abs(best.xi) <= 1)
+      return best;
+    const Projection<2> beside = project(x, other);
+    if (best.xi * beside.xi > 0 || std::abs(beside.xi) <= 1 ||
+        beside.off_the_end || !accept(beside))
+      return best;
+    return best.off_the_end ||
+               distance_square(x, beside) > distance_square(x, best)
+             ? beside
+             : best;
+  }
+
+
+
+  template<>
+  Projection<3> DeformedSurface<3>::choose_at_corner(const Point<3> &,
+                                                     const Projection<3> &best,
+                                                     const Accept &) const
+  {
+    return best;
+  }
+
+
+
+  template<>
+  void DeformedSurface<2>::find_twins(const Point<2> &x,
+                                      const Accept   &accept,
+                                      Projection<2>  &found) const
+  {
+    const auto        &edge  = surface.facets[found.facet];
+    const unsigned int other = edge.neighbors[found.xi > 0 ? 1 : 0];
+    if (other == numbers::invalid_unsigned_int || found.xi == 0 ||
+        std::abs(found.xi) > 1)
+      return;
+    const Projection<2> beside = project(x, other);
+
+    // Round-off of coordinates, against an edge.
+    const auto   nodes     = facet_positions(found.facet);
+    const double round_off = 1e-10 * (nodes[1] - nodes[0]).norm();
+    if (std::abs(std::sqrt(distance_square(x, beside)) -
+                 std::sqrt(distance_square(x, found))) <= round_off &&
+        std::abs(beside.xi) <= 1 && accept(beside))
+      found.twins.emplace_back(other, beside.xi);
+  }
+
+
+
+  // Round-off of coordinates, against a facet.
+  template<>
+  void DeformedSurface<3>::find_twins(const Point<3> &x,
+                                      const Accept   &accept,
+                                      Projection<3>  &found) const
+  {
+    const auto is_at = [](const double xi) { return std::abs(xi) == 1; };
+    if (!is_at(found.xi[0]) && !is_at(found.xi[1]))
+      return;
+    const double   round_off = 1e-8 * surface.reference_length(found.facet);
+    const Point<3> here      = position(found.facet, found.xi);
+    std::set<unsigned int> around;
+    for (unsigned int a = 0; a < 4; ++a)
+      for (const unsigned int e :
+           surface.facets_of_node[surface.facets[found.facet].nodes[a]])
+        if (e != found.facet)
+          around.insert(e);
+    for (const unsigned int e : around)
+      {
+        const Projection<3> other = project(x, e);
+        if (position(e, other.xi).distance(here) <= round_off && accept(other))
+          found.twins.emplace_back(e, other.xi);
+      }
+  }
+
+
+
+  // Of half the squared distance. Where its Hessian is not positive definite,
+  // Gauss-Newton takes over; so it does at first, which from the middle is the
+  // projection on the tangents there. Iterates stay near the facet. Where it is
+  // far from the origin, the round-off of places may be more than the
+  // tolerance: then the last steps do not become shorter.
+  template<int dim>
+  FacetPoint<dim> DeformedSurface<dim>::minimize(const Point<dim>  &x,
+                                                 const Nodes       &nodes,
+                                                 FacetPoint<dim>    xi,
+                                                 const unsigned int fixed) const
+  {
+    using Hessian = SymmetricTensor<2, dim - 1>;
+
+    const double small = 1e-8;
+    double       last  = std::numeric_limits<double>::max();
+    for (unsigned int iteration = 0; iteration < 50; ++iteration)
+      {
+        const FacetShape<dim>               shape(surface.degree, xi);
+        Tensor<1, dim>                      r = x;
+        std::array<Tensor<1, dim>, dim - 1> t;
+        std::array<std::array<Tensor<1, dim>, dim - 1>, dim - 1> second;
+        for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+          {
+            r -= shape.value[a] * nodes[a];
+            for (unsigned int k = 0; k < dim - 1; ++k)
+              {
+                t[k] += shape.derivative(a, k) * nodes[a];
+                for (unsigned int l = 0; l <= k; ++l)
+                  second[k][l] += shape.second_derivative(a, k, l) * nodes[a];
+              }
+          }
+        Hessian            gauss, full;
+        Tensor<1, dim - 1> slope;
+        for (unsigned int k = 0; k < dim - 1; ++k)
+          {
+            slope[k] = k == fixed ? 0. : r * t[k];
+            for (unsigned int l = 0; l <= k; ++l)
+              {
+                const bool is_free = k != fixed && l != fixed;
+                gauss[k][l]        = is_free ? t[k] * t[l] : double(k == l);
+                full[k][l] = gauss[k][l] - (is_free ? r * second[k][l] : 0.);
+              }
+          }
+        const bool is_convex =
+          full[0][0] > 0 && determinant(full) > 1e-3 * determinant(gauss);
+        const Tensor<1, dim - 1> step =
+          invert(iteration > 0 && is_convex ? full : gauss) * slope;
+        for (unsigned int k = 0; k < dim - 1; ++k)
+          coordinate(xi, k) =
+            std::max(-2., std::min(2., coordinate(xi, k) + step[k]));
+        const double length = step.norm();
+        if (length < 1e-14 || (length < small && length >= last))
+          break;
+        last = length;
+      }
+    return xi;
+  }
+
+
+
+  // Outside, the closest point is on one of the sides.
+  template<int dim>
+  Projection<dim> DeformedSurface<dim>::project(const Point<dim>  &x,
+                                                const unsigned int facet,
+                                                const double extension) const
+  {
+    const auto nodes = facet_positions(facet);
+    std::array<std::pair<double, double>, dim - 1> box;
+    for (unsigned int k = 0; k < dim - 1; ++k)
+      box[k] = range(facet, k, extension);
+    const auto inside = [&](FacetPoint<dim> xi) {
+      for (unsigned int k = 0; k < dim - 1; ++k)
+        coordinate(xi, k) =
+          std::clamp(coordinate(xi, k), box[k].first, box[k].second);
+      return xi;
+    };
+
+    const FacetPoint<dim> whole = minimize(x, nodes, FacetPoint<dim>());
+    Projection<dim>       found;
+    found.facet   = facet;
+    found.xi      = whole;
+    found.clipped = inside(whole) != whole;
+    if (!found.clipped)
+      return found;
+
+    double smallest = std::numeric_limits<double>::max();
+    for (unsigned int s = 0; s < SurfaceFacet<dim>::n_sides; ++s)
+      {
+        const unsigned int k       = s / 2;
+        Projection<dim>    on_side = found;
+        on_side.xi                 = inside(whole);
+        coordinate(on_side.xi, k)  = s % 2 == 0 ? box[k].first : box[k].second;
+        on_side.xi                 = inside(minimize(x, nodes, on_side.xi, k));
+        const double distance      = distance_square(x, on_side);
+        if (distance < smallest)
+          {
+            smallest = distance;
+            found.xi = on_side.xi;
+          }
+      }
+    const auto &ends = surface.facets[facet].ends_face;
+    for (unsigned int k = 0; k < dim - 1; ++k)
+      if ((coordinate(whole, k) < box[k].first && ends[2 * k]) ||
+          (coordinate(whole, k) > box[k].second && ends[2 * k + 1]))
+        found.off_the_end = true;
+    return found;
+  }
+
+
+
+  template<int dim>
+  double
+  DeformedSurface<dim>::distance_square(const Point<dim>      &x,
+                                        const Projection<dim> &projection) const
+  {
+    return x.distance_square(position(projection.facet, projection.xi));
+  }
+
+  template struct NormalCone<2>;
+  template struct NormalCone<3>;
+  template class DeformedSurface<2>;
+  template class DeformedSurface<3>;
+} // namespace Contact

@@ -1,0 +1,236 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_deformed_surface_h
+#define contact_deformed_surface_h
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/numerics/rtree.h>
+
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "contact/surfaces/surface.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * The directions in which a place of a surface looks: the outward normal
+   * there, and at a corner those of all facets; in the plane also all between
+   * the normals of the two edges of a convex one.
+   */
+  template<int dim>
+  struct NormalCone
+  {
+    /// In the plane in the order of the edges.
+    std::vector<Tensor<1, dim>> normals;
+
+    /// At an end of the surface, where the body has a side that is in no group:
+    /// a face beside it counts if none is opposite.
+    bool at_end = false;
+
+    /// The normals of other sides that meet there: a face that is more opposite
+    /// to one of them is theirs.
+    std::vector<Tensor<1, dim>> others{};
+
+    /// The distance beyond the end of a face up to which it looks [mm].
+    double reach = std::numeric_limits<double>::max();
+
+    /**
+     * Faces whose normals are further from opposite than this do not face each
+     * other [degrees]: the side of a body beside a place that looks past it,
+     * which tilts as the body bulges, is no partner, while the flanks of a
+     * wedge of 30 degrees still are to what its tip stands on. (Other codes
+     * have limits from 40 degrees on; a length that is projected grows by
+     * 1/cos, here 3.9.)
+     */
+    static constexpr double largest_angle = 75;
+
+    static double smallest_cosine()
+    {
+      return std::cos(largest_angle * numbers::PI / 180);
+    }
+
+    /// Whether a facet of this outward normal is face to face.
+    bool faces(const Tensor<1, dim> &normal) const;
+
+    /// Whether it is at least not back to back.
+    bool is_beside(const Tensor<1, dim> &normal) const;
+
+  private:
+    /// The cosine of the angle between the opposite of a normal and the closest
+    /// of the normals here.
+    double largest_cosine(const Tensor<1, dim> &normal) const;
+  };
+
+
+
+  /// The point of a surface that is closest to a point in space.
+  template<int dim>
+  struct Projection
+  {
+    unsigned int    facet = numbers::invalid_unsigned_int;
+    FacetPoint<dim> xi{};
+
+    /// The point lies beyond the end of a face.
+    bool off_the_end = false;
+
+    /// The projection of the normal lies outside the facet; xi is on its
+    /// boundary.
+    bool clipped = false;
+
+    /// Other facets that meet this one and are as close, and where: see
+    /// DeformedSurface::find_twins().
+    std::vector<std::pair<unsigned int, FacetPoint<dim>>> twins;
+  };
+
+
+
+  /**
+   * A surface where its nodes are in one state: their positions, the normals,
+   * and closest-point queries. The facets are kept in a tree of the boxes of
+   * their control points, and visited by the distance of these until no box can
+   * hold a closer point. Tree and normals are made when they are first asked
+   * for.
+   */
+  template<int dim>
+  class DeformedSurface
+  {
+  public:
+    /// In the configuration @p u; of an empty vector the undeformed one.
+    DeformedSurface(const Surface<dim> &surface, const GhostedVector &u);
+
+    const Surface<dim> &surface;
+
+    /// Of the nodes [mm].
+    const std::vector<Point<dim>> positions;
+
+    /// A place of a facet.
+    Point<dim> position(const unsigned int     facet,
+                        const FacetPoint<dim> &xi) const;
+
+    /// The outward unit normal there.
+    Tensor<1, dim> normal(const unsigned int     facet,
+                          const FacetPoint<dim> &xi) const
+    {
+      return facet_normal<dim>(surface.degree, facet_positions(facet), xi);
+    }
+
+    /// The outward unit normals at the nodes: the mean of those of the facets
+    /// that meet there.
+    std::vector<Tensor<1, dim>> normals() const;
+
+    /// The same by facet: at corners the normal of the facets on its side
+    /// alone.
+    const FacetNormals<dim> &facet_normals() const;
+
+    Projection<dim> closest_point(const Point<dim> &x) const;
+
+    /// The same without its twins.
+    Projection<dim> closest_alone(const Point<dim> &x) const;
+
+    /// The closest of the points that face a place which looks in these
+    /// directions; off the end if there is none.
+    Projection<dim> closest_facing(const Point<dim>      &x,
+                                   const NormalCone<dim> &directions) const;
+
+    /// By facet of another surface, whether a point of it may be as close to
+    /// this one as @p distance [mm]: false where the boxes that the facets are
+    /// in are further apart.
+    std::vector<bool> may_be_close(const DeformedSurface<dim> &other,
+                                   const double                distance) const;
+
+    /// The facets that may have a point in a box, in ascending order.
+    std::vector<unsigned int> facets_in(const BoundingBox<dim> &box) const;
+
+    /// The control points of a facet with its overhang, as of a surface of
+    /// Bezier: it lies within their convex hull, however it bends.
+    std::vector<Point<dim>> hull(const unsigned int facet) const;
+
+    /// The closest point of one facet, which at sides goes on by @p extension
+    /// in its coordinates, at ends of faces by the overhang.
+    Projection<dim> project(const Point<dim>  &x,
+                            const unsigned int facet,
+                            const double       extension = 0) const;
+
+    /// Squared distance of a point to its projection [mm^2].
+    double distance_square(const Point<dim>      &x,
+                           const Projection<dim> &projection) const;
+
+    /**
+     * The distance beyond the end of a face, in facet coordinates, at which a
+     * point still counts as facing the last facet, extrapolated, and no further
+     * than the same part of a facet of the slave. Points on a symmetry line or
+     * over an edge of the other body sit exactly on the end, where the tilt of
+     * the facet under load moves the projection of the normal to either side.
+     */
+    static constexpr double overhang = 0.1;
+
+  private:
+    using Box    = BoundingBox<dim>;
+    using Tree   = RTree<std::pair<Box, unsigned int>>;
+    using Accept = std::function<bool(const Projection<dim> &)>;
+    using Nodes  = PerFacetNode<dim, Point<dim>>;
+
+    /// The closest point of those accepted; off the end if there is none.
+    Projection<dim> choose(const Point<dim> &x, const Accept &accept) const;
+
+    Projection<dim> closest(const Point<dim> &x, const Accept &accept) const;
+
+    /**
+     * Whether a surface that goes on smoothly beyond the side of a facet where
+     * the projection is clipped comes no closer there. Where it does and looks
+     * another way there, the side is no projection: the point may be far off to
+     * it, where its distance along the normal says nothing.
+     */
+    bool is_closest_around(const Point<dim>      &x,
+                           const Projection<dim> &candidate) const;
+
+    /**
+     * In the plane, beyond both faces that meet in a convex corner a point
+     * touches neither as long as it is outside of one: the further one is what
+     * it may come to touch. @p best is what is closest.
+     */
+    Projection<dim> choose_at_corner(const Point<dim>      &x,
+                                     const Projection<dim> &best,
+                                     const Accept          &accept) const;
+
+    /**
+     * Find the facets beside a projection that are as close: which of them was
+     * found first must not matter. In the plane the other edge at the end that
+     * xi is nearer to, wherever its closest point is, so that both sides of a
+     * hollow count alike; in space those with the same closest point.
+     */
+    void find_twins(const Point<dim> &x,
+                    const Accept     &accept,
+                    Projection<dim>  &found) const;
+
+    /// The interval of a coordinate of a facet, with the overhang at an end of
+    /// a face.
+    std::pair<double, double> range(const unsigned int facet,
+                                    const unsigned int k,
+                                    const double       extension = 0) const;
+
+    /// Newton's method for the closest point from @p xi, with the coordinate
+    /// @p fixed as it is.
+    FacetPoint<dim>
+    minimize(const Point<dim>  &x,
+             const Nodes       &nodes,
+             FacetPoint<dim>    xi,
+             const unsigned int fixed = numbers::invalid_unsigned_int) const;
+
+    Nodes facet_positions(const unsigned int facet) const;
+
+    const Tree &tree() const;
+
+    mutable std::optional<Tree>              boxes;
+    mutable std::optional<FacetNormals<dim>> of_facets;
+  };
+} // namespace Contact
+
+#endif
