@@ -426,6 +426,33 @@ namespace Contact
 
 
 
+  // From facet to facet across the sides at the node that are no corners. A
+  // facet that has two smaller ones as neighbors across a side knows one.
+  template<int dim>
+  std::vector<unsigned int>
+  Surface<dim>::smooth_around(const unsigned int facet,
+                              const unsigned int a) const
+  {
+    const unsigned int        node = facets[facet].nodes[a];
+    std::vector<unsigned int> around{facet};
+    const auto leads_to = [&](const unsigned int from, const unsigned int to) {
+      for (unsigned int s = 0; s < SurfaceFacet<dim>::n_sides; ++s)
+        if (facets[from].neighbors[s] == to && !facets[from].corner[s] &&
+            is_on_side<dim>(number_in(from, node), s))
+          return true;
+      return false;
+    };
+    for (unsigned int k = 0; k < around.size(); ++k)
+      for (const unsigned int next : facets_of_node[node])
+        if ((leads_to(around[k], next) || leads_to(next, around[k])) &&
+            std::find(around.begin(), around.end(), next) == around.end())
+          around.push_back(next);
+    std::sort(around.begin(), around.end());
+    return around;
+  }
+
+
+
   template<int dim>
   void Surface<dim>::find_parted()
   {

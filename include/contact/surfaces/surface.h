@@ -490,14 +490,6 @@ namespace Contact
   template<>
   void Surface<3>::arrange();
   template<>
-  std::vector<unsigned int>
-  Surface<2>::smooth_around(const unsigned int edge,
-                            const unsigned int a) const;
-  template<>
-  std::vector<unsigned int>
-  Surface<3>::smooth_around(const unsigned int facet,
-                            const unsigned int a) const;
-  template<>
   std::vector<unsigned int> Surface<2>::same_side(const unsigned int edge,
                                                   const unsigned int a) const;
   template<>

@@ -303,17 +303,6 @@ namespace Contact
 
 
   template<>
-  std::vector<unsigned int>
-  Surface<2>::smooth_around(const unsigned int edge, const unsigned int a) const
-  {
-    if (a < 2 && facets[edge].corner[a])
-      return {edge};
-    return facets_of_node[facets[edge].nodes[a]];
-  }
-
-
-
-  template<>
   double Surface<2>::reference_length(const unsigned int edge) const
   {
     const auto &ends = facets[edge].nodes;

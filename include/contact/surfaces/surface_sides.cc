@@ -166,32 +166,6 @@ namespace Contact
 
 
 
-  // From facet to facet across the sides at the node that are no corners. A
-  // facet that has two smaller ones as neighbors across a side knows one.
-  template<>
-  std::vector<unsigned int>
-  Surface<3>::smooth_around(const unsigned int facet,
-                            const unsigned int a) const
-  {
-    const unsigned int        node = facets[facet].nodes[a];
-    std::vector<unsigned int> around{facet};
-    const auto leads_to = [&](const unsigned int from, const unsigned int to) {
-      for (unsigned int s = 0; s < 4; ++s)
-        if (facets[from].neighbors[s] == to && !facets[from].corner[s])
-          return true;
-      return false;
-    };
-    for (unsigned int k = 0; k < around.size(); ++k)
-      for (const unsigned int next : facets_of_node[node])
-        if ((leads_to(around[k], next) || leads_to(next, around[k])) &&
-            std::find(around.begin(), around.end(), next) == around.end())
-          around.push_back(next);
-    std::sort(around.begin(), around.end());
-    return around;
-  }
-
-
-
   template<>
   double Surface<3>::reference_length(const unsigned int facet) const
   {
