@@ -108,7 +108,7 @@ namespace Contact
     : discretization(discretization)
     , slave(contact_pair.slave)
     , solution(solution)
-    , search(slave, solution)
+    , slave_now(slave, solution)
     , slave_facets(name_facets(slave))
     , at_nodes(slave.nodes.size())
   {
@@ -205,9 +205,9 @@ namespace Contact
   ContactTractions<dim>::of_facing_slave(const FacetPlace<dim> &place,
                                          const double           reach) const
   {
-    const Projection<dim> projection = search.closest_point(place.x);
+    const Projection<dim> projection = slave_now.closest_point(place.x);
     if (projection.off_the_end ||
-        search.distance_square(place.x, projection) > reach * reach)
+        slave_now.distance_square(place.x, projection) > reach * reach)
       return Tensor<1, dim>();
 
     const SurfaceFacet<dim> &facet = slave.facets[projection.facet];

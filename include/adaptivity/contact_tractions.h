@@ -86,7 +86,7 @@ namespace Contact
     const Discretization<dim>             &discretization;
     const Surface<dim>                    &slave;
     const GhostedVector                   &solution;
-    const DeformedSurface<dim>             search;
+    const DeformedSurface<dim>             slave_now;
     std::map<FacetName<dim>, unsigned int> slave_facets, master_facets;
 
     /// In the plane (p, q), in space the traction on the slave.

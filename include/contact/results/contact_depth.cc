@@ -84,20 +84,20 @@ namespace Contact
     /// or than the surfaces have moved, has come there around it.
     template<int dim>
     void look(const DeformedSurface<dim> &own,
-              const DeformedSurface<dim> &search,
+              const DeformedSurface<dim> &facing,
               const bool                  is_master,
               const MPI_Comm              communicator,
               const double                reach,
               const bool                  as_drawn,
               ContactDepth<dim>          &deepest)
     {
-      const Surface<dim>        &surface = own.surface, &other = search.surface;
+      const Surface<dim>        &surface = own.surface, &other = facing.surface;
       const DeformedSurface<dim> drawn(surface, {}), other_drawn(other, {});
       const auto of_own = sagittas(drawn), of_other = sagittas(other_drawn);
       double     longest = 0;
       for (unsigned int f = 0; f < other.facets.size(); ++f)
         longest = std::max(longest, other.reference_length(f));
-      const auto is_close = search.may_be_close(own, longest);
+      const auto is_close = facing.may_be_close(own, longest);
       const auto places   = places_of_facet<dim>(/*with_nodes=*/true);
       for (const unsigned int e :
            Utilities::MPI::create_evenly_distributed_partitioning(
@@ -109,13 +109,13 @@ namespace Contact
               break;
             const Point<dim> x = own.position(e, xi);
             const auto       projection =
-              search.closest_facing(x, NormalCone<dim>{{own.normal(e, xi)}});
+              facing.closest_facing(x, NormalCone<dim>{{own.normal(e, xi)}});
             const unsigned int f = projection.facet;
             if (projection.off_the_end || projection.clipped ||
                 largest_coordinate(projection.xi) > 1)
               continue;
-            const double behind = -((x - search.position(f, projection.xi)) *
-                                    search.normal(f, projection.xi));
+            const double behind = -((x - facing.position(f, projection.xi)) *
+                                    facing.normal(f, projection.xi));
             if (behind <= 0 ||
                 behind >= std::min(reach, other.reference_length(f)))
               continue;
