@@ -26,17 +26,7 @@ namespace Contact
 
 
 
-  bool has_ends(const Surface<2> &surface)
-  {
-    return std::any_of(surface.facets.begin(),
-                       surface.facets.end(),
-                       [](const auto &edge) { return edge.begins_surface; });
-  }
-
-
-
-  std::vector<ContactPoint<2>> make_corner_points(const Surface<2> &master,
-                                                  const bool        with_ends)
+  std::vector<ContactPoint<2>> make_corner_points(const Surface<2> &master)
   {
     std::vector<unsigned int> corners;
     for (unsigned int e = 0; e < master.facets.size(); ++e)
@@ -45,9 +35,9 @@ namespace Contact
         const bool             is_corner = edge.corner[0] && edge.begins_face &&
                                master.turn_of_curves(e) >
                                  numbers::PI / 180 * Surface<2>::feature_angle;
-        if (is_corner || (with_ends && edge.begins_surface))
+        if (is_corner || edge.begins_surface)
           corners.push_back(edge.nodes[0]);
-        if (with_ends && edge.ends_surface)
+        if (edge.ends_surface)
           corners.push_back(edge.nodes[1]);
       }
     if (corners.empty())
@@ -79,41 +69,25 @@ namespace Contact
 
 
 
-  void pair_corner_point(
-    ContactPoint<2>                              &point,
-    const Surface<2>                             &master,
-    const std::vector<PerEdgeNode<Tensor<1, 2>>> &master_normals,
-    const Surface<2>                             &slave,
-    const SurfaceSearch<2>                       &search,
-    const Discretization<2>                      &discretization,
-    const GhostedVector                          &u)
+  void pair_corner_points(const ArrayView<ContactPoint<2>> &corners,
+                          const Surface<2>                 &master,
+                          const Surface<2>                 &slave,
+                          const Discretization<2>          &discretization,
+                          const GhostedVector              &u)
   {
-    // A slave edge beside the end of the master does not obstruct it.
-    NormalCone<2> directions = directions_of(point, master, master_normals);
-    directions.at_end        = false;
-    pair_with_master(point, directions, slave, search, discretization, u);
-    const double length = slave.reference_length(point.master_facet);
-    point.facing        = point.facing && distance(point, u) > -length &&
-                   !is_at_end_of_face(slave, point);
-    point.projection = Point<2>(-corner_slack * length * point.normal);
-  }
-
-
-
-  bool
-  lies_along_slave(const ContactPoint<2>                        &corner,
-                   const Surface<2>                             &master,
-                   const std::vector<PerEdgeNode<Tensor<1, 2>>> &master_normals)
-  {
-    const unsigned int own   = corner.slave_facet;
-    const bool         first = corner.slave_xi < 0;
-    const unsigned int other =
-      first ? master.facets[own].previous : master.facets[own].next;
-    if (other == numbers::invalid_unsigned_int)
-      return false;
-    const double least = std::cos(numbers::PI / 180 * inclination);
-    return -(master_normals[own][first ? 0 : 1] * corner.normal) > least ||
-           -(master_normals[other][first ? 1 : 0] * corner.normal) > least;
+    const SurfaceSearch<2> search(slave, u);
+    const auto             normals = master.facet_normals(u);
+    for (ContactPoint<2> &corner : corners)
+      {
+        // A slave edge beside the end of the master does not obstruct it.
+        NormalCone<2> directions = directions_of(corner, master, normals);
+        directions.at_end        = false;
+        pair_with_master(corner, directions, slave, search, discretization, u);
+        const double length = slave.reference_length(corner.master_facet);
+        corner.facing       = corner.facing && distance(corner, u) > -length &&
+                        !is_at_end_of_face(slave, corner);
+        corner.projection = Point<2>(-corner_slack * length * corner.normal);
+      }
   }
 
 

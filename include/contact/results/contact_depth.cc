@@ -251,10 +251,8 @@ namespace Contact
       {
         const Surface<dim> &slave  = contact_pair.slave,
                            &master = *contact_pair.master;
-        const double reach = as_drawn ? std::numeric_limits<double>::max()
-                                      : largest_way(slave, u) +
-                                          largest_way(master, u) +
-                                          contact_pair.interference->at_start;
+        const double reach = largest_way(slave, u) + largest_way(master, u) +
+                             contact_pair.interference->at_start;
         look(slave, master, false, communicator, reach, u, as_drawn, deepest);
         look(master, slave, true, communicator, reach, u, as_drawn, deepest);
         compare(communicator, deepest);
