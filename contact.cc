@@ -135,10 +135,8 @@ namespace Contact
     // Setting up.
     void setup_system();
     void setup_level();
-    void begin_anew();
 
     // The loops.
-    void        solve_first_level();
     void        solve_level();
     ProbeErrors estimate_errors();
     void        solve_increment(const LoadSteps::Step &step);
@@ -201,8 +199,6 @@ namespace Contact
     // Of the increments on the present mesh, for the effects.
     StressPeaks<dim> stress_peaks;
 
-    // Whether the ends of the masters are corners, see solve_first_level().
-    bool ends_are_corners        = false;
     bool is_smallest_step        = false; // of the load
     bool coarser_start_failed    = false; // of the present increment
     bool open_stability_is_noted = false;
@@ -261,7 +257,7 @@ namespace Contact
       {
         setup_system();
         report.print_scene(model, system->name());
-        solve_first_level();
+        solve_level();
         while (!levels.end_with(summary.levels, summary.accuracy_missed))
           {
             refine();
@@ -353,9 +349,7 @@ namespace Contact
       model.elasticity =
         std::make_unique<Elasticity<dim>>(*model.discretization,
                                           parameters.solids);
-      auto pairs = parameters.pairs();
-      for (Parameters::Contact &contact_pair : pairs)
-        contact_pair.ends_are_corners = ends_are_corners;
+      const auto pairs = parameters.pairs();
       if (!pairs.empty())
         model.interface =
           std::make_unique<ContactInterface<dim>>(*model.discretization,
@@ -391,64 +385,6 @@ namespace Contact
 
 
 
-  // @sect4{ContactProblem::begin_anew}
-  //
-  // Return to the undeformed state, with points of contact at the ends of the
-  // masters.
-  template<int dim>
-  void ContactProblem<dim>::begin_anew()
-  {
-    ends_are_corners = true;
-    report.begin_anew(*model.discretization);
-    system.reset();
-    invariants.reset();
-    model.interface.reset();
-    setup_level();
-    model.interface->initialize_status(state.solution);
-    report.print_scene(model, system->name());
-  }
-
-
-
-  // @sect3{The loops}
-  //
-  // From the outside to the inside: levels of refinement, load increments, the
-  // stabilization of rigid body modes, the geometry, friction.
-
-  // @sect4{ContactProblem::solve_first_level}
-  //
-  // A slave node may slide off the end of the master, or be the only one
-  // opposite it. Then no state may agree with all points, however small the
-  // step: the slave's edge lies on the end of the master, which the
-  // discretizations do not see. Only if the first attempt does not converge
-  // does that end get a contact point of its own, see make_corner_points():
-  // elsewhere the point would merely add a singular force.
-  template<int dim>
-  void ContactProblem<dim>::solve_first_level()
-  {
-    try
-      {
-        solve_level();
-      }
-    catch (const SolverStalls &)
-      {
-        throw;
-      }
-    catch (const NotConverged &failure)
-      {
-        if (!model.interface || !model.interface->lacks_ends_of_masters())
-          throw;
-        report.screen << failure.what() << std::endl
-                      << "Once more from the start, with points of contact at "
-                         "the ends of the masters"
-                      << std::endl;
-        begin_anew();
-        solve_level();
-      }
-  }
-
-
-
   // @sect4{ContactProblem::solve_level}
   //
   // All load increments on one mesh. Coarser meshes only yield the start of the
@@ -466,7 +402,7 @@ namespace Contact
         pairing.pair(state.solution);
         model.interface->initialize_status(state.solution);
       }
-    if (parameters.restart && levels.may_be_last() && !ends_are_corners)
+    if (parameters.restart && levels.may_be_last())
       checkpoint.read(steps);
     while (!steps.finished())
       {
@@ -506,8 +442,7 @@ namespace Contact
         if (levels.may_be_last() && step.ends_increment)
           {
             postprocessor.write_increment(step.increment, /*is_complete=*/true);
-            // A restarted run begins without points at the ends of masters.
-            if (!ends_are_corners && !parameters.asks_for_accuracy())
+            if (!parameters.asks_for_accuracy())
               checkpoint.write(steps);
           }
         if (levels.may_be_followed() && step.ends_increment)

@@ -34,7 +34,7 @@ namespace Contact
     model.elasticity =
       std::make_unique<Elasticity<2>>(*model.discretization, parameters.solids);
     if (coarse.interface)
-      make_interface(parameters, *coarse.interface);
+      make_interface(parameters);
     for (GhostedVector &vector : transferred)
       {
         GhostedVector grown = model.zero();
@@ -60,16 +60,12 @@ namespace Contact
 
 
 
-  void RefinedState::make_interface(const Parameters::All     &parameters,
-                                    const ContactInterface<2> &coarse)
+  void RefinedState::make_interface(const Parameters::All &parameters)
   {
-    auto pairs = parameters.pairs();
-    for (unsigned int z = 0; z < pairs.size(); ++z)
-      pairs[z].ends_are_corners = coarse.pairs[z]->sees_ends();
     model.interface =
       std::make_unique<ContactInterface<2>>(*model.discretization,
                                             *model.elasticity,
-                                            pairs);
+                                            parameters.pairs());
   }
 
 

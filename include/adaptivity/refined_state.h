@@ -38,8 +38,7 @@ namespace Contact
   private:
     using SurfaceStates = std::vector<std::vector<SurfaceState<2>>>;
 
-    void make_interface(const Parameters::All     &parameters,
-                        const ContactInterface<2> &coarse);
+    void make_interface(const Parameters::All &parameters);
     void transfer_contact(const ContactInterface<2>  &coarse,
                           const GhostedVector        &coarse_solution,
                           const SurfaceStates        &duals_on_surfaces,

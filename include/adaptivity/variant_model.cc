@@ -59,11 +59,7 @@ namespace Contact
       std::make_unique<Discretization<2>>(*model.mesh, parameters);
     model.elasticity =
       std::make_unique<Elasticity<2>>(*model.discretization, parameters.solids);
-    std::vector<Parameters::Contact> pairs = parameters.pairs();
-    for (Parameters::Contact &of_pair : pairs)
-      for (const auto &known : scene.interface->pairs)
-        if (known->name == of_pair.name)
-          of_pair.ends_are_corners = known->sees_ends();
+    const std::vector<Parameters::Contact> pairs = parameters.pairs();
     if (!pairs.empty())
       model.interface =
         std::make_unique<ContactInterface<2>>(*model.discretization,

@@ -37,7 +37,8 @@ namespace Contact
           facets.push_back(contact_pair.place_of_facets(point));
         }
       // Which of all points comes next: the closest to its place, up to
-      // round-off.
+      // round-off, that has not been one yet.
+      std::vector<bool> is_taken(points.size(), false);
       const auto next = [&](unsigned int q) {
         unsigned int                 pair      = points[q].contact_pair;
         bool                         is_corner = points[q].is_master_corner;
@@ -51,11 +52,12 @@ namespace Contact
           if (const double distance = X.distance_square(places[k]) +
                                       around.distance_square(facets[k]);
               distance < closest && points[k].contact_pair == pair &&
-              points[k].is_master_corner == is_corner)
+              points[k].is_master_corner == is_corner && !is_taken[k])
             {
               closest = distance;
               q       = k;
             }
+        is_taken[q] = true;
         return q;
       };
       for (unsigned int n = 0; n < points.size(); ++n)

@@ -98,8 +98,7 @@ namespace Contact
                         const Parameters::Contact &parameters)
     {
       const std::string points =
-        std::to_string(contact_pair.n_points) + " points" +
-        (contact_pair.sees_ends() ? ", also at the ends of the master" : "");
+        std::to_string(contact_pair.n_points) + " points";
       if (contact_pair.master)
         return parameters.discretization.name() + " discretization, " + points;
       return (parameters.discretization ==

@@ -66,15 +66,6 @@ namespace Contact
 
 
   template<int dim>
-  void Report<dim>::begin_anew(const Discretization<dim> &discretization)
-  {
-    summary.increments.clear();
-    replace_results(discretization);
-  }
-
-
-
-  template<int dim>
   void Report<dim>::replace_results(const Discretization<dim> &discretization)
   {
     result_files = std::make_unique<ResultFiles<dim>>(parameters.directory(),

@@ -58,8 +58,6 @@ namespace Contact
       return result_files != nullptr;
     }
 
-    /// Another attempt at all increments: nothing is left of the one before.
-    void begin_anew(const Discretization<dim> &discretization);
 
     /// Results of a finer mesh replace those of the one before.
     void replace_results(const Discretization<dim> &discretization);

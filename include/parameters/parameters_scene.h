@@ -313,11 +313,6 @@ namespace Contact
       /// it enters the discrete problem.
       double augmentation_parameter = 1e-3;
 
-      /// Whether the ends of the master have points of their own, see
-      /// make_corner_points(). No entry: it is tried where there is no solution
-      /// otherwise.
-      bool ends_are_corners = false;
-
       /// Whether each multiplier has a point of its own: only then it can be
       /// eliminated, excluded at a node, and live on one of several processes.
       bool has_point_per_multiplier() const

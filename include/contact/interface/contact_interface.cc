@@ -151,7 +151,7 @@ namespace Contact
                             contact_pair->n_points},
                            u,
                            {});
-    frames.join(points);
+    frames.join(points, u);
     return points;
   }
 
@@ -214,16 +214,6 @@ namespace Contact
                          return !contact_pair->tied &&
                                 contact_pair->law.coulomb_coefficient > 0;
                        });
-  }
-
-
-
-  template<int dim>
-  bool ContactInterface<dim>::lacks_ends_of_masters() const
-  {
-    return std::any_of(pairs.begin(), pairs.end(), [](const auto &pair) {
-      return pair->lacks_ends();
-    });
   }
 
 
@@ -295,7 +285,7 @@ namespace Contact
                            u,
                            mode) ||
         changed;
-    changed = frames.join(all_points) != joined || changed;
+    changed = frames.join(all_points, u) != joined || changed;
     find_held_slips();
     return changed;
   }

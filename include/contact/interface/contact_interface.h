@@ -143,9 +143,6 @@ namespace Contact
       return !contact_pair(point).law.is_frictionless();
     }
 
-    /// Whether a master has ends without points of their own.
-    bool lacks_ends_of_masters() const;
-
     /// All of them, with free motions, and those of the normal direction.
     unsigned int n_multipliers() const;
     unsigned int n_normal_multipliers() const;

@@ -220,24 +220,6 @@ namespace Contact
 
 
 
-  template<int dim>
-  bool ContactPair<dim>::sees_ends() const
-  {
-    return can_have_corner_points() && has_ends(*master) &&
-           parameters.ends_are_corners;
-  }
-
-
-
-  template<int dim>
-  bool ContactPair<dim>::lacks_ends() const
-  {
-    return can_have_corner_points() && has_ends(*master) &&
-           !parameters.ends_are_corners;
-  }
-
-
-
   // Not with glue, which the nodes of the discretization hold.
   template<int dim>
   void
@@ -300,8 +282,7 @@ namespace Contact
     if (!tied && !law.is_frictionless())
       mark_rims(slave, multipliers, discretization, points);
     if (can_have_corner_points())
-      for (ContactPoint<dim> &corner :
-           make_corner_points(*master, parameters.ends_are_corners))
+      for (ContactPoint<dim> &corner : make_corner_points(*master))
         {
           corner.multipliers[0] = multipliers.n_multipliers++;
           points.push_back(std::move(corner));

@@ -144,11 +144,6 @@ namespace Contact
       return n_of_slave < n_points;
     }
 
-    /// Whether the ends of the master are such corners, and whether they are
-    /// not, though they could be.
-    bool sees_ends() const;
-    bool lacks_ends() const;
-
     /// Whether the mortar discretization is asked for.
     bool is_mortar() const
     {
@@ -191,7 +186,7 @@ namespace Contact
     bool pair_all(const ArrayView<ContactPoint<dim>> &points,
                   const GhostedVector                &u,
                   const PairingMode                  &mode) const;
-    bool pair_corners(const ArrayView<ContactPoint<dim>> &points,
+    bool pair_corners(const ArrayView<ContactPoint<dim>> &corners,
                       const GhostedVector                &u) const;
 
     const Elasticity<dim>    &elasticity;
@@ -207,10 +202,10 @@ namespace Contact
   };
 
   template<>
-  bool ContactPair<2>::pair_corners(const ArrayView<ContactPoint<2>> &points,
+  bool ContactPair<2>::pair_corners(const ArrayView<ContactPoint<2>> &corners,
                                     const GhostedVector              &u) const;
   template<>
-  bool ContactPair<3>::pair_corners(const ArrayView<ContactPoint<3>> &points,
+  bool ContactPair<3>::pair_corners(const ArrayView<ContactPoint<3>> &corners,
                                     const GhostedVector              &u) const;
   template<>
   void ContactPair<2>::differentiate(ContactPoint<2>     &point,

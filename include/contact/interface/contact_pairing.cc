@@ -63,7 +63,7 @@ namespace Contact
       changed =
         project(part(n_of_discretization, n_of_slave), u, mode) || changed;
     if (has_corner_points())
-      changed = pair_corners(points, u) || changed;
+      changed = pair_corners(part(n_of_slave, n_points), u) || changed;
 
     // A nodal point looks from its own place, where the corner is.
     for (unsigned int q = n_of_slave; q < n_points; ++q)
@@ -79,33 +79,17 @@ namespace Contact
 
 
   template<>
-  bool ContactPair<2>::pair_corners(const ArrayView<ContactPoint<2>> &points,
+  bool ContactPair<2>::pair_corners(const ArrayView<ContactPoint<2>> &corners,
                                     const GhostedVector              &u) const
   {
-    // Whether a node of the slave edge sees the master.
-    const auto is_seen = [&](const ContactPoint<2> &corner) {
-      const auto &nodes = slave.facets[corner.master_facet].nodes;
-      return std::any_of(nodes.begin(),
-                         nodes.begin() + slave.n_nodes_per_facet(),
-                         [&](const unsigned int node) {
-                           const unsigned int k =
-                             multipliers.of_node[node] - first_multiplier;
-                           return k < n_of_slave && points[k].facing;
-                         });
-    };
-    const DeformedSurface<2> slave_now(slave, u), master_now(*master, u);
-    bool                     changed = false;
-    for (unsigned int q = n_of_slave; q < n_points; ++q)
-      {
-        ContactPoint<2> &corner    = points[q];
-        const auto       old_nodes = corner.nodes;
-        pair_corner_point(corner, master_now, slave_now, discretization, u);
-        if (corner.facing && is_seen(corner) &&
-            lies_along_slave(corner, master_now))
-          corner.facing = false;
-        changed = changed || corner.nodes != old_nodes;
-      }
-    return changed;
+    std::vector<ContactPoint<2>> old(corners.begin(), corners.end());
+    pair_corner_points(corners, {*master, u}, {slave, u}, discretization, u);
+    return !std::equal(corners.begin(),
+                       corners.end(),
+                       old.begin(),
+                       [](const auto &a, const auto &b) {
+                         return a.nodes == b.nodes;
+                       });
   }
 
 

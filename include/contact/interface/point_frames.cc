@@ -13,13 +13,13 @@ namespace Contact
 {
   namespace
   {
-    /// The node of the slave that a point belongs to.
+    /// The node of its own surface that a point belongs to.
     template<int dim>
-    unsigned int slave_node(const ContactPoint<dim> &point,
-                            const Surface<dim>      &slave)
+    unsigned int own_node(const ContactPoint<dim> &point,
+                          const Surface<dim>      &own)
     {
-      for (const unsigned int i : slave.facets[point.slave_facet].nodes)
-        if (slave.nodes[i].dofs == point.dofs(0))
+      for (const unsigned int i : own.facets[point.slave_facet].nodes)
+        if (own.nodes[i].dofs == point.dofs(0))
           return i;
       AssertThrow(false, ExcInternalError());
       return 0;
@@ -27,15 +27,15 @@ namespace Contact
 
 
 
-    /// The names of the slave's facets around the node of a point.
+    /// The names of the facets of its own surface around the node of a point.
     template<int dim>
     std::set<FacetName<dim>> facets_around(const ContactPoint<dim> &point,
-                                           const Surface<dim>      &slave)
+                                           const ContactPair<dim>  &pair)
     {
+      const Surface<dim>      &own = pair.surface_of(point);
       std::set<FacetName<dim>> names;
-      for (const unsigned int e :
-           slave.facets_of_node[slave_node(point, slave)])
-        names.insert(slave.facets[e].name);
+      for (const unsigned int e : own.facets_of_node[own_node(point, own)])
+        names.insert(own.facets[e].name);
       return names;
     }
 
@@ -44,16 +44,27 @@ namespace Contact
     /// The connected part of the mesh that a point faces; all obstacles are
     /// one.
     template<int dim>
-    unsigned int part_of_master(const ContactPoint<dim>           &point,
-                                const std::optional<Surface<dim>> &master)
+    unsigned int part_opposite(const ContactPoint<dim> &point,
+                               const ContactPair<dim>  &pair)
     {
-      if (!master)
+      if (!pair.master)
         return numbers::invalid_unsigned_int;
+      const Surface<dim> &other =
+        point.is_master_corner ? pair.slave : *pair.master;
       if (point.n_nodes == point.n_slave_nodes)
-        return master->facets[0].part;
+        return other.facets[0].part;
       const unsigned int node =
-        point.nodes[point.n_slave_nodes] - master->nodes.data();
-      return master->facets[master->facets_of_node[node].front()].part;
+        point.nodes[point.n_slave_nodes] - other.nodes.data();
+      return other.facets[other.facets_of_node[node].front()].part;
+    }
+
+
+
+    /// The cosine of half of Surface::feature_angle.
+    template<int dim>
+    double cosine_of_curves()
+    {
+      return std::cos(numbers::PI / 360 * Surface<dim>::feature_angle);
     }
 
 
@@ -68,8 +79,7 @@ namespace Contact
 
 
 
-  // Corners of the master belong to nodes of the other body, and a point of
-  // the Gauss-point discretization to no node.
+  // A point of the Gauss-point discretization belongs to no node.
   template<int dim>
   PointFrames<dim>::PointFrames(const std::vector<ContactPoint<dim>> &points,
                                 const Pairs                          &pairs)
@@ -77,7 +87,7 @@ namespace Contact
   {
     std::map<NodeDoFs<dim>, std::vector<unsigned int>> of_nodes;
     for (unsigned int q = 0; q < points.size(); ++q)
-      if (!points[q].is_master_corner && points[q].n_multipliers == 1)
+      if (points[q].n_multipliers == 1)
         of_nodes[points[q].dofs(0)].push_back(q);
     for (const auto &[dofs, of_node] : of_nodes)
       if (of_node.size() > 1)
@@ -99,8 +109,8 @@ namespace Contact
   bool PointFrames<dim>::have_common_facets(const ContactPoint<dim> &a,
                                             const ContactPoint<dim> &b) const
   {
-    const auto of_a = facets_around(a, (*pairs)[a.contact_pair]->slave);
-    const auto of_b = facets_around(b, (*pairs)[b.contact_pair]->slave);
+    const auto of_a = facets_around(a, *(*pairs)[a.contact_pair]);
+    const auto of_b = facets_around(b, *(*pairs)[b.contact_pair]);
     return std::any_of(of_a.begin(), of_a.end(), [&](const auto &name) {
       return of_b.count(name) > 0;
     });
@@ -115,13 +125,14 @@ namespace Contact
   {
     for (const auto &[q, others] : others_at_node)
       for (const unsigned int other : others)
-        if (!have_common_facets(points[q], points[other]))
+        if (!points[q].is_master_corner && !points[other].is_master_corner &&
+            !have_common_facets(points[q], points[other]))
           {
             ContactPair<dim>   &own = *to[points[q].contact_pair];
             const Surface<dim> &next =
               (*pairs)[points[other].contact_pair]->slave;
-            own.other_sides[slave_node(points[q], own.slave)]
-              .emplace_back(&next, slave_node(points[other], next));
+            own.other_sides[own_node(points[q], own.slave)]
+              .emplace_back(&next, own_node(points[other], next));
           }
   }
 
@@ -150,8 +161,8 @@ namespace Contact
   bool PointFrames<dim>::are_on_one_body(const ContactPoint<dim> &a,
                                          const ContactPoint<dim> &b) const
   {
-    return part_of_master(a, (*pairs)[a.contact_pair]->master) ==
-           part_of_master(b, (*pairs)[b.contact_pair]->master);
+    return part_opposite(a, *(*pairs)[a.contact_pair]) ==
+           part_opposite(b, *(*pairs)[b.contact_pair]);
   }
 
 
@@ -165,9 +176,8 @@ namespace Contact
     const auto              simple = [](const ContactPair<dim> &of) {
       return of.master && !of.interference->at && of.free_motions.empty();
     };
-    const double cosine =
-      std::cos(numbers::PI / 360 * Surface<dim>::feature_angle);
-    return a.normal * b.normal > cosine && are_on_one_body(a, b) &&
+    return a.normal * b.normal > cosine_of_curves<dim>() &&
+           are_on_one_body(a, b) &&
            (&of_a == &of_b || (simple(of_a) && simple(of_b) &&
                                of_a.is_mortar() == of_b.is_mortar() &&
                                is_same<dim>(of_a.law, of_b.law)));
@@ -175,10 +185,93 @@ namespace Contact
 
 
 
+  namespace
+  {
+    /// The middle of the nodes of a facet.
+    template<int dim>
+    Tensor<1, dim> middle(const Surface<dim>  &surface,
+                          const unsigned int   facet,
+                          const GhostedVector &u)
+    {
+      Tensor<1, dim> sum;
+      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+        sum +=
+          Tensor<1, dim>(surface.position(surface.facets[facet].nodes[a], u));
+      return sum / (1. * surface.n_nodes_per_facet());
+    }
+
+
+
+    /// The weighted place of some nodes of a point.
+    template<int dim>
+    Tensor<1, dim> place(const ContactPoint<dim> &point,
+                         const unsigned int       begin,
+                         const unsigned int       end,
+                         const GhostedVector     &u)
+    {
+      Tensor<1, dim> sum;
+      for (unsigned int a = begin; a < end; ++a)
+        for (unsigned int i = 0; i < dim; ++i)
+          sum[i] +=
+            std::abs(point.C[a]) * (point.X(a)[i] + u[point.dofs(a)[i]]);
+      return sum;
+    }
+  } // namespace
+
+
+
+  template<int dim>
+  void PointFrames<dim>::leave_hidden(std::vector<ContactPoint<dim>> &points,
+                                      const GhostedVector            &u) const
+  {
+    const auto gap = [&](const ContactPoint<dim> &point) {
+      double sum = -(point.normal * Tensor<1, dim>(point.projection));
+      for (unsigned int a = 0; a < point.n_nodes; ++a)
+        for (unsigned int i = 0; i < dim; ++i)
+          sum += point.normal[i] * point.C[a] *
+                 (point.X(a)[i] + u[point.dofs(a)[i]]);
+      return sum;
+    };
+    const auto is_candidate = [&](const ContactPoint<dim> &point) {
+      return point.facing && !point.is_master_corner &&
+             (*pairs)[point.contact_pair]->master &&
+             !(*pairs)[point.contact_pair]->tied;
+    };
+    // Whether both facets of a are behind the planes of b: the own facet as
+    // seen from the node, against the normal of the other body.
+    const auto is_behind = [&](const ContactPoint<dim> &a,
+                               const ContactPoint<dim> &b) {
+      const ContactPair<dim> &of_a = *(*pairs)[a.contact_pair];
+      const Tensor<1, dim>    foot = place(b, b.n_slave_nodes, b.n_nodes, u),
+                           own     = place(b, 0, 1, u) / std::abs(b.C[0]);
+      return (middle(*of_a.master, a.master_facet, u) - foot) * b.normal < 0 &&
+             (middle(of_a.slave, a.slave_facet, u) - own) * b.normal > 0;
+    };
+    for (const auto &of_node : at_nodes)
+      for (const unsigned int q : of_node)
+        for (const unsigned int other : of_node)
+          {
+            ContactPoint<dim>       &a = points[q];
+            const ContactPoint<dim> &b = points[other];
+            if (q != other && is_candidate(a) && is_candidate(b) &&
+                a.normal * b.normal < cosine_of_curves<dim>() &&
+                are_on_one_body(a, b) && is_behind(a, b) && is_behind(b, a) &&
+                std::make_pair(gap(a), q) < std::make_pair(gap(b), other))
+              {
+                a.facing = false;
+                a.status = PointStatus<dim>();
+              }
+          }
+  }
+
+
+
   template<int dim>
   typename PointFrames<dim>::Joined
-  PointFrames<dim>::join(std::vector<ContactPoint<dim>> &points) const
+  PointFrames<dim>::join(std::vector<ContactPoint<dim>> &points,
+                         const GhostedVector            &u) const
   {
+    leave_hidden(points, u);
     const auto keep_own = [&](const unsigned int q, const unsigned int first) {
       points[q].joined = std::make_shared<const JoinedPoint<dim>>(
         JoinedPoint<dim>{points[q], points[q].weight, first});
@@ -206,7 +299,7 @@ namespace Contact
           {
             std::vector<unsigned int> joined, rest;
             for (const unsigned int q : free)
-              if (points[q].facing)
+              if (points[q].facing && !points[q].is_master_corner)
                 (joined.empty() || see_one_surface(points[joined[0]], points[q])
                    ? joined
                    : rest)

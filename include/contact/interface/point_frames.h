@@ -25,7 +25,12 @@ namespace Contact
    *
    * 1. Glue holds the node in all directions. Other points of the node face
    *    nothing.
-   * 2. Points that face one smooth surface are *joined*: their normals are
+   * 2. Of points of a convex corner that face two facets with a convex edge
+   *    between them, each behind the plane of the other, the one with the
+   *    smaller gap faces nothing: a node is outside of a convex body where it
+   *    is outside of one of its sides, as at a corner of a block that stands
+   *    on another one and juts out over its edge.
+   * 3. Points that face one smooth surface are *joined*: their normals are
    *    closer than half of Surface::feature_angle, as on curves that are drawn,
    *    however the groups of slave and master are cut. The first one has the
    *    mean of their equations, with their weights,
@@ -33,7 +38,7 @@ namespace Contact
    *    as the dual function of the node over all of its facets has, and one
    *    pressure; the others face nothing. In results each of them has the
    *    pressure of the first one and its own part of the weight.
-   * 3. Normals come before tangents: along the normals of the other points in
+   * 4. Normals come before tangents: along the normals of the other points in
    *    contact a point does not slip, and has no shear. held_slips() follows
    *    the active set.
    */
@@ -61,8 +66,10 @@ namespace Contact
     /// the points that were joined.
     Joined part(std::vector<ContactPoint<dim>> &points) const;
 
-    /// Join the points, which have been paired, and take out what glue says.
-    Joined join(std::vector<ContactPoint<dim>> &points) const;
+    /// Take out what glue says and what convex edges hide of the points, which
+    /// have been paired in the configuration @p u, and join the others.
+    Joined join(std::vector<ContactPoint<dim>> &points,
+                const GhostedVector            &u) const;
 
     /// The points of nodes that have several.
     const std::map<unsigned int, std::vector<unsigned int>> &others() const
@@ -90,6 +97,8 @@ namespace Contact
                                  const unsigned int                    q) const;
 
   private:
+    void leave_hidden(std::vector<ContactPoint<dim>> &points,
+                      const GhostedVector            &u) const;
     bool see_one_surface(const ContactPoint<dim> &a,
                          const ContactPoint<dim> &b) const;
     bool are_on_one_body(const ContactPoint<dim> &a,

@@ -65,7 +65,7 @@ namespace Contact
       }
 
     MortarOverlap overlap;
-    overlap.segments = found;
+    overlap.segments = found = nearest_run(slave_facet, found);
     for (const Segment &segment : found)
       if (!overlap.parts.empty() &&
           segment.low.xi - overlap.parts.back().high < mortar_round_off)
@@ -73,6 +73,41 @@ namespace Contact
       else
         overlap.parts.push_back({segment.low.xi, segment.high.xi});
     return overlap;
+  }
+
+
+
+  // Runs are segments that follow each other on edges of the master that do.
+  // The distance of one to what the edge sees beside it is a jump.
+  std::vector<MortarSegments::Segment>
+  MortarSegments::nearest_run(const unsigned int          slave_facet,
+                              const std::vector<Segment> &segments) const
+  {
+    std::vector<unsigned int> run_of;
+    std::vector<double>       distances; // of the runs
+    for (unsigned int i = 0; i < segments.size(); ++i)
+      {
+        const auto &neighbors =
+          now.master.facets[segments[i].master_facet].neighbors;
+        const bool goes_on =
+          i > 0 && std::count(neighbors.begin(),
+                              neighbors.end(),
+                              segments[i - 1].master_facet) > 0;
+        if (!goes_on)
+          distances.push_back(segments[i].distance);
+        run_of.push_back(distances.size() - 1);
+        distances.back() = std::min(distances.back(), segments[i].distance);
+      }
+    if (distances.size() < 2)
+      return segments;
+    const double largest =
+      *std::min_element(distances.begin(), distances.end()) +
+      DeformedSurface<2>::overhang * now.slave.reference_length(slave_facet);
+    std::vector<Segment> near;
+    for (unsigned int i = 0; i < segments.size(); ++i)
+      if (distances[run_of[i]] <= largest)
+        near.push_back(segments[i]);
+    return near;
   }
 
 

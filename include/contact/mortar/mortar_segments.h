@@ -81,6 +81,12 @@ namespace Contact
    * behind the other or of the far side of a body. Ahead of the slave, and
    * behind it, the first edge hides all others; the nearer one that is face to
    * face (class NormalCone) is the partner.
+   *
+   * An edge may see a near part of the master and, past a convex edge of it, a
+   * far one, as over a tooth and the groove beside it. A dual function is
+   * negative somewhere: with it a mean over both would take the far part for
+   * an overlap of the near one. The edge faces the near part alone, and what is
+   * no further than DeformedSurface::overhang times its length.
    */
   class MortarSegments
   {
@@ -100,6 +106,12 @@ namespace Contact
     std::vector<Segment>
     segments(const unsigned int               slave_facet,
              const std::vector<unsigned int> &candidates) const;
+
+    /// Those of a slave edge without the parts that are far behind the nearest
+    /// one.
+    std::vector<Segment>
+    nearest_run(const unsigned int          slave_facet,
+                const std::vector<Segment> &segments) const;
 
     /// The master edge that the normal from a place of the slave meets, and
     /// how far away.

@@ -26,17 +26,7 @@ namespace Contact
 
 
 
-  bool has_ends(const Surface<2> &surface)
-  {
-    return std::any_of(surface.facets.begin(),
-                       surface.facets.end(),
-                       [](const auto &edge) { return edge.ends_surface(0); });
-  }
-
-
-
-  std::vector<ContactPoint<2>> make_corner_points(const Surface<2> &master,
-                                                  const bool        with_ends)
+  std::vector<ContactPoint<2>> make_corner_points(const Surface<2> &master)
   {
     std::vector<unsigned int> corners;
     for (unsigned int e = 0; e < master.facets.size(); ++e)
@@ -45,9 +35,9 @@ namespace Contact
         const bool is_corner        = edge.corner[0] && edge.ends_face[0] &&
                                master.turn_of_curves(e) >
                                  numbers::PI / 180 * Surface<2>::feature_angle;
-        if (is_corner || (with_ends && edge.ends_surface(0)))
+        if (is_corner || edge.ends_surface(0))
           corners.push_back(edge.nodes[0]);
-        if (with_ends && edge.ends_surface(1))
+        if (edge.ends_surface(1))
           corners.push_back(edge.nodes[1]);
       }
     if (corners.empty())
@@ -79,37 +69,24 @@ namespace Contact
 
 
 
-  void pair_corner_point(ContactPoint<2>          &point,
-                         const DeformedSurface<2> &master,
-                         const DeformedSurface<2> &slave,
-                         const Discretization<2>  &discretization,
-                         const GhostedVector      &u)
+  void pair_corner_points(const ArrayView<ContactPoint<2>> &corners,
+                          const DeformedSurface<2>         &master,
+                          const DeformedSurface<2>         &slave,
+                          const Discretization<2>          &discretization,
+                          const GhostedVector              &u)
   {
-    // A slave edge beside the end of the master does not obstruct it.
-    NormalCone<2> directions = directions_of(point, master);
-    directions.at_end        = false;
-    pair_with_master(point, directions, slave, discretization, u);
-    const double length = slave.surface.reference_length(point.master_facet);
-    point.facing        = point.facing && distance(point, u) > -length &&
-                   !is_at_end_of_face(slave.surface, point);
-    point.projection = Point<2>(-corner_slack * length * point.normal);
-  }
-
-
-
-  bool lies_along_slave(const ContactPoint<2>    &corner,
-                        const DeformedSurface<2> &master)
-  {
-    const auto        &normals = master.facet_normals();
-    const unsigned int own     = corner.slave_facet;
-    const bool         first   = corner.slave_xi < 0;
-    const unsigned int other =
-      master.surface.facets[own].neighbors[first ? 0 : 1];
-    if (other == numbers::invalid_unsigned_int)
-      return false;
-    const double least = std::cos(numbers::PI / 180 * inclination);
-    return -(normals[own][first ? 0 : 1] * corner.normal) > least ||
-           -(normals[other][first ? 1 : 0] * corner.normal) > least;
+    for (ContactPoint<2> &corner : corners)
+      {
+        // A slave edge beside the end of the master does not obstruct it.
+        NormalCone<2> directions = directions_of(corner, master);
+        directions.at_end        = false;
+        pair_with_master(corner, directions, slave, discretization, u);
+        const double length =
+          slave.surface.reference_length(corner.master_facet);
+        corner.facing = corner.facing && distance(corner, u) > -length &&
+                        !is_at_end_of_face(slave.surface, corner);
+        corner.projection = Point<2>(-corner_slack * length * corner.normal);
+      }
   }
 
 

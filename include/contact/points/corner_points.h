@@ -13,7 +13,8 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * Points of the reversed direction, at the convex corners of a master.
+   * Points of the reversed direction, at the convex corners and the ends of a
+   * master.
    *
    * The discretizations look from the nodes of the slave, or in the mean along
    * its edges: a corner of the master between two slave nodes they do not see,
@@ -33,75 +34,46 @@ namespace Contact
    * the theory of elasticity has it, not a pressure that a mesh resolves.
    *
    * A corner is what Surface::feature_angle says, of the curves that the edges
-   * stand for (the vertices of an arc are none, however few they are), inside
-   * of the surface: where the surface ends, the body may go on flat.
+   * stand for (the vertices of an arc are none, however few they are). Where
+   * the surface ends, the body may have a corner there, too, as a block on a
+   * longer one has, or may go on flat: either way the vertex may not get inside
+   * of the slave. A slave node that slides off the end of the master loses its
+   * partner while the edge beside it is still supported, and where the slave
+   * has a single node opposite, one pressure cannot balance a moment: the point
+   * at the end sees both.
    *
-   * @p with_ends adds the vertices at both ends of the surface. The body may
-   * have a corner there, too, as a block on a longer one has, and whatever the
-   * body does behind it, the vertex may not get inside of the slave. Such a
-   * point sees what the discretizations do not: a slave node that slides off
-   * the end of the master loses its partner while the edge beside it is still
-   * supported, so that no state is a solution; and where the slave has a single
-   * node opposite, one pressure cannot balance a moment. On a mesh that is fine
-   * enough for both, the results hardly depend on it, but for the force that
-   * gathers at the end: so it is for scenes that have no solution without.
-   *
-   * The condition of a corner that lies on a flat edge whose nodes are in
-   * contact as well follows from theirs, to round-off. It is met up to
+   * The points are there from the start, and what follows from others is
+   * inactive: the condition of a corner that lies on a flat edge whose nodes
+   * are in contact as well follows from theirs, to round-off. It is met up to
    * @ref corner_slack, so that such a point stays open.
    */
-  std::vector<ContactPoint<2>> make_corner_points(const Surface<2> &master,
-                                                  const bool        with_ends);
+  std::vector<ContactPoint<2>> make_corner_points(const Surface<2> &master);
 
   /// In space corners and edges of the master have no points yet.
-  inline std::vector<ContactPoint<3>> make_corner_points(const Surface<3> &,
-                                                         const bool)
+  inline std::vector<ContactPoint<3>> make_corner_points(const Surface<3> &)
   {
     return {};
-  }
-
-  /// Whether a surface has ends that can have points.
-  bool        has_ends(const Surface<2> &surface);
-  inline bool has_ends(const Surface<3> &)
-  {
-    return false;
   }
 
   /// The depth, by the length of the slave edge, that a corner may have: above
   /// all round-off of the pairing, below all depths that matter.
   constexpr double corner_slack = 1e-8;
 
-  /// The inclination [degrees] up to which a face of the master lies along a
-  /// slave edge: over half of the edge it parts from it by less than a
-  /// twentieth of its length.
-  constexpr double inclination = 5;
-
   /// The distance of a corner that is paired from the slave [mm].
   double distance(const ContactPoint<2> &corner, const GhostedVector &u);
 
   /**
-   * Pair a corner point with the slave in the configuration @p u.
+   * Pair corner points with the slave in the configuration @p u.
    *
-   * It faces nothing at the end of a face of the slave, where corners of both
+   * They face nothing at the end of a face of the slave, where corners of both
    * bodies stand on each other and a slave node sees the master, nor deeper
-   * inside than a slave edge is long: there it has come around it.
+   * inside than a slave edge is long: there they have come around it.
    */
-  void pair_corner_point(ContactPoint<2>          &point,
-                         const DeformedSurface<2> &master,
-                         const DeformedSurface<2> &slave,
-                         const Discretization<2>  &discretization,
-                         const GhostedVector      &u);
-
-  /**
-   * Whether a face beside the corner lies along the slave edge that the corner
-   * is paired with. There is contact along the face up to the corner then, as
-   * where the surface of the master ends there: nodes of the slave edge that
-   * face the master see it, and a point of the corner's own would only take the
-   * edge for stiffer than it is. Not at an end of the master, which has a point
-   * only where these nodes do not suffice.
-   */
-  bool lies_along_slave(const ContactPoint<2>    &corner,
-                        const DeformedSurface<2> &master);
+  void pair_corner_points(const ArrayView<ContactPoint<2>> &corners,
+                          const DeformedSurface<2>         &master,
+                          const DeformedSurface<2>         &slave,
+                          const Discretization<2>          &discretization,
+                          const GhostedVector              &u);
 
   /**
    * The slave node that the projection of a corner is at, closer than a

@@ -44,17 +44,18 @@ namespace Contact
                                const GhostedVector  &u,
                                ContactPatches       &patches)
     {
-      const Surface<2>        &master = *contact_pair.master;
-      const DeformedSurface<2> slave_now(contact_pair.slave, u),
-        master_now(master, u);
-      for (ContactPoint<2> &corner : make_corner_points(master, true))
+      const DeformedSurface<2> slave(contact_pair.slave, u),
+        master(*contact_pair.master, u);
+      auto corners = make_corner_points(master.surface);
+      pair_corner_points(make_array_view(corners.begin(), corners.end()),
+                         master,
+                         slave,
+                         contact_pair.discretization,
+                         u);
+      for (const ContactPoint<2> &corner : corners)
         {
-          pair_corner_point(corner,
-                            master_now,
-                            slave_now,
-                            contact_pair.discretization,
-                            u);
-          const SurfaceFacet<2> &edge = master.facets[corner.slave_facet];
+          const SurfaceFacet<2> &edge =
+            master.surface.facets[corner.slave_facet];
           if (corner.facing &&
               distance(corner, u) <
                 contact_pair.slave.reference_length(corner.master_facet))
@@ -236,8 +237,8 @@ namespace Contact
 
 
 
-  // The multipliers of a solution are the tractions. A node without a point in
-  // contact is pushed along the normal of the corner's.
+  // The multipliers of a solution are the tractions, which are the same seen
+  // from either side.
   std::vector<CornerLoad> corner_loads(const ContactInterface<2> &interface,
                                        const ContactPair<2>      &contact_pair,
                                        const GhostedVector       &solution)
@@ -246,38 +247,21 @@ namespace Contact
       return {};
     MultiplierSpace numbering;
     const auto      own = make_nodal_points(contact_pair.slave, {}, numbering);
-    const Surface<2>                               &slave = contact_pair.slave;
-    std::vector<CornerLoad>                         loads;
-    std::map<unsigned int, const ContactPoint<2> *> in_contact;
+    const Surface<2>       &slave = contact_pair.slave;
+    std::vector<CornerLoad> loads;
     for (unsigned int n = 0; n < slave.nodes.size(); ++n)
       loads.push_back({Tensor<1, 2>(), own[numbering.of_node[n]].weight});
-    for (const ContactPoint<2> &point : interface.points_of(contact_pair))
-      if (!point.is_master_corner && point.facing &&
-          point.status.kind != Status::open)
-        in_contact[point.multipliers[0]] = &point;
-
     for (const ContactPoint<2> &point : interface.points_of(contact_pair))
       if (point.is_master_corner && point.facing)
         {
           const ContactState<2> now =
             interface.state(point, solution, solution);
           const Tensor<1, 2> force =
-            point.weight *
-            (now.lambda_n * point.normal + now.lambda_t[0] * point.tangents[0]);
+            point.weight * Tensor<1, 2>({now.lambda_n, now.lambda_t[0]});
           const auto parts = parts_of_force(slave.degree, point.master_xi);
           for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-            {
-              const unsigned int n = slave.facets[point.master_facet].nodes[a];
-              const auto         found =
-                in_contact.find(contact_pair.multipliers.of_node[n]);
-              const Tensor<1, 2> normal  = found == in_contact.end()
-                                             ? -point.normal
-                                             : found->second->normal;
-              const Tensor<1, 2> on_node = -parts[a] * force;
-              loads[n].force +=
-                Tensor<1, 2>({on_node * normal,
-                              on_node[1] * normal[0] - on_node[0] * normal[1]});
-            }
+            loads[slave.facets[point.master_facet].nodes[a]].force +=
+              parts[a] * force;
         }
     return loads;
   }

@@ -109,7 +109,7 @@ namespace Contact
     if (interface == nullptr)
       return false;
     const auto &points = interface->points();
-    return interface->has_coulomb_friction() ||
+    return interface->has_friction() ||
            std::any_of(points.begin(), points.end(), [](const auto &point) {
              return !point.change.dofs.empty();
            });

@@ -28,8 +28,12 @@ namespace Contact
 
 
 
-  bool NewtonGlobalization::advance(const double residual)
+  bool NewtonGlobalization::advance(const double       residual,
+                                    const unsigned int n_changes)
   {
+    const bool is_same = n_changes == 0 && !residuals.empty() &&
+                         std::abs(residual - residuals.back()) < residual / 50;
+    n_still            = is_same ? n_still + 1 : 0;
     residuals.push_back(residual);
     if (residuals.size() > memory)
       residuals.pop_front();
@@ -40,8 +44,16 @@ namespace Contact
 
 
 
+  bool NewtonGlobalization::stands_still() const
+  {
+    return n_still >= memory;
+  }
+
+
+
   void NewtonGlobalization::forget()
   {
+    n_still = 0;
     residuals.clear();
     best     = std::numeric_limits<double>::max();
     n_uphill = 0;

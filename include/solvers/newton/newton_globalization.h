@@ -28,6 +28,10 @@ namespace Contact
    * lead away for ever. The next step cancels the residual to its round-off
    * only: where that is above the tolerance, the method is lost.
    *
+   * Where no point changes its status and the residual is the same for five
+   * steps, within a tenth, the tangent knows nothing of what holds it: more steps
+   * do not help.
+   *
    * Cycles: all points change their status at once. If their number has not
    * come below its minimum for ten steps in which points change at all, one
    * does, until it has: the safeguarded block pivoting of Portugal, Judice and
@@ -43,8 +47,12 @@ namespace Contact
     /// small as @p tolerance.
     bool is_lost(const double residual, const double tolerance) const;
 
-    /// A step has ended with this residual: returns whether it is the smallest.
-    bool advance(const double residual);
+    /// A step has ended with this residual, and @p n_changes points want to change
+    /// their statuses: returns whether the residual is the smallest.
+    bool advance(const double residual, const unsigned int n_changes);
+
+    /// Whether the residual is that of five steps before.
+    bool stands_still() const;
 
     /// Forget the residuals: the next step starts a new problem, as one that
     /// moves supports does.
@@ -61,6 +69,7 @@ namespace Contact
     std::deque<double> residuals;
     double             best     = std::numeric_limits<double>::max();
     unsigned int       n_uphill = 0; // steps since the best one
+    unsigned int       n_still  = 0; // steps that changed nothing
     unsigned int       fewest   = std::numeric_limits<unsigned int>::max();
     unsigned int       n_wasted = 0;
   };
