@@ -283,8 +283,7 @@ namespace Contact
     if (!tied && !law.is_frictionless())
       mark_rims(slave, multipliers, discretization, points);
     if (can_have_corner_points())
-      for (ContactPoint<dim> &corner :
-           make_corner_points(*master))
+      for (ContactPoint<dim> &corner : make_corner_points(*master))
         {
           corner.multipliers[0] = multipliers.n_multipliers++;
           points.push_back(std::move(corner));

@@ -195,8 +195,8 @@ namespace Contact
     {
       Tensor<1, dim> sum;
       for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-        sum += Tensor<1, dim>(
-          surface.position(surface.facets[facet].nodes[a], u));
+        sum +=
+          Tensor<1, dim>(surface.position(surface.facets[facet].nodes[a], u));
       return sum / (1. * surface.n_nodes_per_facet());
     }
 

@@ -89,11 +89,10 @@ namespace Contact
       {
         const auto &facets = now.master.facets;
         const bool  goes_on =
-          i > 0 &&
-          (facets[segments[i].master_facet].next ==
-             segments[i - 1].master_facet ||
-           facets[segments[i].master_facet].previous ==
-             segments[i - 1].master_facet);
+          i > 0 && (facets[segments[i].master_facet].next ==
+                      segments[i - 1].master_facet ||
+                    facets[segments[i].master_facet].previous ==
+                      segments[i - 1].master_facet);
         if (!goes_on)
           distances.push_back(segments[i].distance);
         run_of.push_back(distances.size() - 1);

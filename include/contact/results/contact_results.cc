@@ -46,7 +46,7 @@ namespace Contact
     {
       const Surface<2> &slave  = contact_pair.slave,
                        &master = *contact_pair.master;
-      auto corners = make_corner_points(master);
+      auto corners             = make_corner_points(master);
       pair_corner_points(make_array_view(corners.begin(), corners.end()),
                          master,
                          slave,
