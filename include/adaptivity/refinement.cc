@@ -320,10 +320,10 @@ namespace Contact
             }))
           continue;
         std::vector<Point<dim>> on_slave, on_master;
-        for (const ContactPoint<dim> &point : points)
-          if (point.facing && !point.is_master_corner &&
-              interface.state(point, solution, solution).gap <
-                contact_pair.edge_length(point))
+        for (const ContactPoint<dim> &point :
+             interface.points_of_slave(contact_pair))
+          if (point.facing && interface.state(point, solution, solution).gap <
+                                contact_pair.edge_length(point))
             {
               const unsigned int n = point.n_slave_nodes;
               on_slave.push_back(mean_place(point, 0, n));

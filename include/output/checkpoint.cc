@@ -39,12 +39,12 @@ namespace Contact
       // Which of all points comes next: the closest to its place, up to
       // round-off, that has not been one yet.
       std::vector<bool> is_taken(points.size(), false);
-      const auto next = [&](unsigned int q) {
-        unsigned int                 pair      = points[q].contact_pair;
-        bool                         is_corner = points[q].is_master_corner;
-        Point<dim>                   X         = places[q];
-        Point<dim>                   around    = facets[q];
-        archive &pair &is_corner &X &around;
+      const auto        next = [&](unsigned int q) {
+        unsigned int                pair     = points[q].contact_pair;
+        bool                        on_slave = points[q].is_on_slave(0);
+        Point<dim>                  X        = places[q];
+        Point<dim>                  around   = facets[q];
+        archive &pair &on_slave &X &around;
         double closest = std::numeric_limits<double>::max();
         for (unsigned int k = 0;
              Archive::is_loading::value && k < places.size();
@@ -52,7 +52,7 @@ namespace Contact
           if (const double distance = X.distance_square(places[k]) +
                                       around.distance_square(facets[k]);
               distance < closest && points[k].contact_pair == pair &&
-              points[k].is_master_corner == is_corner && !is_taken[k])
+              points[k].is_on_slave(0) == on_slave && !is_taken[k])
             {
               closest = distance;
               q       = k;

@@ -169,13 +169,11 @@ namespace Contact
             }
         }
 
-      const auto points = interface.points_of(contact_pair);
+      const auto points = interface.points_of_slave(contact_pair);
       const auto acting = interface.acting_points(contact_pair);
       for (unsigned int q = 0; q < points.size(); ++q)
         {
           const ContactPoint<dim> &point = acting[q];
-          if (point.is_master_corner)
-            continue;
           const double force = normal_force(interface, point, solution);
           for (unsigned int k = 0; k < point.n_multipliers; ++k)
             {
@@ -309,16 +307,19 @@ namespace Contact
     std::map<types::global_dof_index, unsigned int> node_of_dof;
     for (unsigned int n = 0; n < master.nodes.size(); ++n)
       node_of_dof[master.nodes[n].dofs[0]] = n;
-    for (const ContactPoint<dim> &point : interface.acting_points(contact_pair))
-      {
-        // Positive if it pushes.
-        const double force = (point.is_master_corner ? -1 : 1) *
-                             normal_force(interface, point, solution);
-        for (unsigned int a = 0; a < point.n_nodes; ++a)
-          if (!point.is_on_slave(a))
-            rows[node_of_dof.at(point.dofs(a)[0])].nodal_force -=
-              point.C[a] * force;
-      }
+    // Positive if it pushes.
+    const auto add = [&](const auto &points) {
+      for (const ContactPoint<dim> &point : points)
+        {
+          const double force = normal_force(interface, point, solution);
+          for (unsigned int a = 0; a < point.n_nodes; ++a)
+            if (!point.is_on_slave(a))
+              rows[node_of_dof.at(point.dofs(a)[0])].nodal_force +=
+                std::abs(point.C[a]) * force;
+        }
+    };
+    add(interface.acting_points(contact_pair));
+    add(interface.corners_of_master(contact_pair));
 
     add_exact_values(exact, rows);
     reverse(rows);

@@ -71,8 +71,8 @@ namespace Contact
           std::vector<bool>       master(
             contact_pair.master ? contact_pair.master->facets.size() : 0);
           for (const ContactPoint<dim> &point :
-               interface.points_of(contact_pair))
-            if (!point.is_master_corner && point.status.kind != Status::open)
+               interface.points_of_slave(contact_pair))
+            if (point.status.kind != Status::open)
               {
                 slave[point.slave_facet] = true;
                 if (!master.empty())

@@ -162,7 +162,7 @@ namespace Contact
           const Surface<dim> &slave  = interface.pairs[z]->slave;
           const auto          faces  = [&](const ContactPoint<dim> &point) {
             return point.facing &&
-                   (point.is_master_corner || entries[z].obstacle.empty() ||
+                   (entries[z].obstacle.empty() ||
                     outward(slave, point.slave_facet) * point.normal < 0);
           };
           if (std::any_of(points.begin(), points.end(), faces))

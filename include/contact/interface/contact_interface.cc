@@ -162,10 +162,9 @@ namespace Contact
     const ContactPair<dim> &contact_pair) const
   {
     std::vector<ContactPoint<dim>> points;
-    for (unsigned int q = contact_pair.first_point;
-         q < contact_pair.first_point + contact_pair.n_points;
-         ++q)
-      points.push_back(frames.as_it_acts(all_points, q));
+    for (unsigned int q = 0; q < points_of_slave(contact_pair).size(); ++q)
+      points.push_back(
+        frames.as_it_acts(all_points, contact_pair.first_point + q));
     return points;
   }
 

@@ -106,8 +106,21 @@ namespace Contact
     ArrayView<const ContactPoint<dim>>
     points_of(const ContactPair<dim> &contact_pair) const;
 
-    /// The same for results: of points that are joined, see PointFrames, each
-    /// with its part of the force.
+    /// Of these those of the slave, which come first, and the corners of the
+    /// master.
+    ArrayView<const ContactPoint<dim>>
+    points_of_slave(const ContactPair<dim> &contact_pair) const
+    {
+      return contact_pair.points_of_slave(all_points.data());
+    }
+    ArrayView<const ContactPoint<dim>>
+    corners_of_master(const ContactPair<dim> &contact_pair) const
+    {
+      return contact_pair.corners_of_master(all_points.data());
+    }
+
+    /// Those of the slave for results: of points that are joined, see
+    /// PointFrames, each with its part of the force.
     std::vector<ContactPoint<dim>>
     acting_points(const ContactPair<dim> &contact_pair) const;
 
@@ -412,9 +425,8 @@ namespace Contact
     void make_free_motions(ContactPair<dim>          &contact_pair,
                            const Parameters::Contact &parameters);
     bool touches(const ContactPair<dim> &contact_pair) const;
-    void activate_nearest(const unsigned int   first,
-                          const unsigned int   n,
-                          const GhostedVector &u);
+    void activate_nearest(const std::vector<const ContactPair<dim> *> &of,
+                          const GhostedVector                         &u);
 
     void check_side(const ContactPair<dim>    &contact_pair,
                     const Parameters::Contact &parameters) const;

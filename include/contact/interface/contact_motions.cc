@@ -227,7 +227,7 @@ namespace Contact
   {
     for (const auto &contact_pair : pairs)
       if (!contact_pair->free_motions.empty() && !touches(*contact_pair))
-        activate_nearest(contact_pair->first_point, contact_pair->n_points, u);
+        activate_nearest({contact_pair.get()}, u);
   }
 
 

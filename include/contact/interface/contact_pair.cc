@@ -313,9 +313,7 @@ namespace Contact
     const Surface<dim> &own = surface_of(point);
     const double        of_own =
       elasticity.youngs_modulus(own.facets[point.slave_facet].body);
-    const Surface<dim> *other = point.is_master_corner ? &slave
-                                : master               ? &*master
-                                                       : nullptr;
+    const Surface<dim> *const other = surface_opposite(point);
     return (other ? std::min(of_own,
                              elasticity.youngs_modulus(other->facets[0].body))
                   : of_own) /
@@ -329,6 +327,15 @@ namespace Contact
   ContactPair<dim>::surface_of(const ContactPoint<dim> &point) const
   {
     return point.is_master_corner ? *master : slave;
+  }
+
+
+
+  template<int dim>
+  const Surface<dim> *
+  ContactPair<dim>::surface_opposite(const ContactPoint<dim> &point) const
+  {
+    return point.is_master_corner ? &slave : master ? &*master : nullptr;
   }
 
 

@@ -127,9 +127,25 @@ namespace Contact
                        const GhostedVector &u,
                        const PairingMode   &mode) const;
 
+    /// Of all points its own: those of the slave, and behind them the corners
+    /// of the master.
+    template<typename Point>
+    ArrayView<Point> points_of_slave(Point *const all_points) const
+    {
+      return {all_points + first_point, n_of_slave};
+    }
+    template<typename Point>
+    ArrayView<Point> corners_of_master(Point *const all_points) const
+    {
+      return {all_points + first_point + n_of_slave, n_points - n_of_slave};
+    }
+
     /// The surface that a point belongs to: but for corners of the master, the
     /// slave.
     const Surface<dim> &surface_of(const ContactPoint<dim> &point) const;
+
+    /// The surface of the other body; none of an obstacle.
+    const Surface<dim> *surface_opposite(const ContactPoint<dim> &point) const;
 
     /// The undeformed length of the edge that a point belongs to [mm].
     double edge_length(const ContactPoint<dim> &point) const;

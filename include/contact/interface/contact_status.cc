@@ -45,11 +45,12 @@ namespace Contact
   template<int dim>
   void ContactInterface<dim>::initialize_status(const GhostedVector &u)
   {
-    for (ContactPoint<dim> &point : all_points)
-      if (point.facing && !point.is_master_corner &&
-          state(point, u, u).gap <=
-            0.01 * contact_pair(point).edge_length(point))
-        point.status.kind = can_stick(point) ? Status::stick : Status::slip;
+    for (const auto &contact_pair : pairs)
+      for (ContactPoint<dim> &point :
+           contact_pair->points_of_slave(all_points.data()))
+        if (point.facing &&
+            state(point, u, u).gap <= 0.01 * contact_pair->edge_length(point))
+          point.status.kind = can_stick(point) ? Status::stick : Status::slip;
     release_held();
   }
 
@@ -86,36 +87,40 @@ namespace Contact
   template<int dim>
   void ContactInterface<dim>::activate_nearest(const GhostedVector &u)
   {
+    std::vector<const ContactPair<dim> *> all;
+    for (const auto &contact_pair : pairs)
+      all.push_back(&*contact_pair);
     if (count().active == 0)
-      activate_nearest(0, all_points.size(), u);
+      activate_nearest(all, u);
   }
 
 
 
   template<int dim>
-  void ContactInterface<dim>::activate_nearest(const unsigned int   first,
-                                               const unsigned int   n,
-                                               const GhostedVector &u)
+  void ContactInterface<dim>::activate_nearest(
+    const std::vector<const ContactPair<dim> *> &of,
+    const GhostedVector                         &u)
   {
-    const ArrayView<ContactPoint<dim>> points(all_points.data() + first, n);
     double smallest = std::numeric_limits<double>::max();
-    for (const ContactPoint<dim> &point : points)
-      if (point.facing)
-        smallest = std::min(smallest, state(point, u, u).gap);
-    const auto close = [&](const bool corners) {
-      bool is_active = false;
+    for (const ContactPair<dim> *const contact_pair : of)
+      for (const ContactPoint<dim> &point : points_of(*contact_pair))
+        if (point.facing)
+          smallest = std::min(smallest, state(point, u, u).gap);
+    bool       is_active = false;
+    const auto close     = [&](const ArrayView<ContactPoint<dim>> &points) {
       for (ContactPoint<dim> &point : points)
-        if (point.facing && point.is_master_corner == corners &&
-            state(point, u, u).gap - smallest <=
-              0.01 * contact_pair(point).edge_length(point))
+        if (point.facing && state(point, u, u).gap - smallest <=
+                              0.01 * contact_pair(point).edge_length(point))
           {
             point.status.kind = can_stick(point) ? Status::stick : Status::slip;
             is_active         = true;
           }
-      return is_active;
     };
-    if (!close(false))
-      close(true);
+    for (const ContactPair<dim> *const contact_pair : of)
+      close(contact_pair->points_of_slave(all_points.data()));
+    if (!is_active)
+      for (const ContactPair<dim> *const contact_pair : of)
+        close(contact_pair->corners_of_master(all_points.data()));
     release_held();
   }
 

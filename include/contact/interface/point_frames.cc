@@ -47,15 +47,14 @@ namespace Contact
     unsigned int part_opposite(const ContactPoint<dim> &point,
                                const ContactPair<dim>  &pair)
     {
-      if (!pair.master)
+      const Surface<dim> *const other = pair.surface_opposite(point);
+      if (!other)
         return numbers::invalid_unsigned_int;
-      const Surface<dim> &other =
-        point.is_master_corner ? pair.slave : *pair.master;
       if (point.n_nodes == point.n_slave_nodes)
-        return other.facets[0].part;
+        return other->facets[0].part;
       const unsigned int node =
-        point.nodes[point.n_slave_nodes] - other.nodes.data();
-      return other.facets[other.facets_of_node[node].front()].part;
+        point.nodes[point.n_slave_nodes] - other->nodes.data();
+      return other->facets[other->facets_of_node[node].front()].part;
     }
 
 

@@ -94,18 +94,18 @@ namespace Contact
           state.bound.push_back(interface.points()[acting].friction_bound);
           state.statuses.push_back(interface.points()[acting].status);
         }
-      for (const ContactPoint<2> &point : interface.points_of(contact_pair))
-        if (point.is_master_corner)
-          {
-            const unsigned int k = point.multipliers[0];
-            state.corners.push_back(
-              {point.weight * solution[interface.normal_index(k)],
-               contact_pair.law.is_frictionless()
-                 ? 0.
-                 : point.weight * solution[interface.tangential_index(k)],
-               point.friction_bound,
-               point.status});
-          }
+      for (const ContactPoint<2> &point :
+           interface.corners_of_master(contact_pair))
+        {
+          const unsigned int k = point.multipliers[0];
+          state.corners.push_back(
+            {point.weight * solution[interface.normal_index(k)],
+             contact_pair.law.is_frictionless()
+               ? 0.
+               : point.weight * solution[interface.tangential_index(k)],
+             point.friction_bound,
+             point.status});
+        }
       return state;
     }
 
@@ -174,25 +174,22 @@ namespace Contact
                          GhostedVector                &solution)
     {
       auto corner = state.corners.begin();
-      for (unsigned int q = contact_pair.first_point;
-           q < contact_pair.first_point + contact_pair.n_points &&
-           corner != state.corners.end();
-           ++q)
-        if (points[q].is_master_corner)
-          {
-            ContactPoint<2> &point = points[q];
-            point.status = point.facing ? corner->status : PointStatus<2>();
-            point.friction_bound = corner->bound;
-            if (point.status.kind == Status::stick &&
-                !interface.can_stick(point))
-              point.status = {Status::slip, 0};
-            const unsigned int k                = point.multipliers[0];
-            solution[interface.normal_index(k)] = corner->force / point.weight;
-            if (!contact_pair.law.is_frictionless())
-              solution[interface.tangential_index(k)] =
-                corner->shear / point.weight;
-            ++corner;
-          }
+      for (ContactPoint<2> &point :
+           contact_pair.corners_of_master(points.data()))
+        {
+          if (corner == state.corners.end())
+            break;
+          point.status = point.facing ? corner->status : PointStatus<2>();
+          point.friction_bound = corner->bound;
+          if (point.status.kind == Status::stick && !interface.can_stick(point))
+            point.status = {Status::slip, 0};
+          const unsigned int k                = point.multipliers[0];
+          solution[interface.normal_index(k)] = corner->force / point.weight;
+          if (!contact_pair.law.is_frictionless())
+            solution[interface.tangential_index(k)] =
+              corner->shear / point.weight;
+          ++corner;
+        }
     }
 
 

@@ -131,15 +131,6 @@ namespace Contact
 
     for (const ContactPoint<2> &point : interface.acting_points(contact_pair))
       {
-        if (point.is_master_corner)
-          {
-            add_force(interface,
-                      point,
-                      interface.state(point, solution, u_start),
-                      moving_bound,
-                      results);
-            continue;
-          }
         const double s = patches.arc_length(point);
         if (!point.facing || point.status.kind == Status::open)
           {
@@ -154,6 +145,13 @@ namespace Contact
 
         patches.add(point, sample_of(point));
       }
+    for (const ContactPoint<2> &point :
+         interface.corners_of_master(contact_pair))
+      add_force(interface,
+                point,
+                interface.state(point, solution, u_start),
+                moving_bound,
+                results);
     if (contact_pair.master)
       add_corners_of_master(contact_pair, solution, patches);
     results.width       = patches.width();
@@ -251,8 +249,9 @@ namespace Contact
     std::vector<CornerLoad> loads;
     for (unsigned int n = 0; n < slave.nodes.size(); ++n)
       loads.push_back({Tensor<1, 2>(), own[numbering.of_node[n]].weight});
-    for (const ContactPoint<2> &point : interface.points_of(contact_pair))
-      if (point.is_master_corner && point.facing)
+    for (const ContactPoint<2> &point :
+         interface.corners_of_master(contact_pair))
+      if (point.facing)
         {
           const ContactState<2> now =
             interface.state(point, solution, solution);

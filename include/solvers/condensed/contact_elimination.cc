@@ -29,8 +29,8 @@ namespace Contact
     std::string place(const ContactPoint<dim> &point)
     {
       std::ostringstream text;
-      text << (point.is_master_corner ? "the corner of the master"
-                                      : "the node of the slave")
+      text << (point.is_on_slave(0) ? "the node of the slave"
+                                    : "the corner of the master")
            << " at (" << point.X(0) << ")";
       return text.str();
     }
