@@ -580,10 +580,11 @@ namespace Contact
   template<int dim>
   void ContactProblem<dim>::check_turns() const
   {
-    const double largest_turn = numbers::PI / (dim == 2 ? 2 : 9);
-    if (model.interface && model.interface->largest_turn() > largest_turn)
+    const unsigned int degrees = dim == 2 ? 90 : 20;
+    if (model.interface &&
+        model.interface->largest_turn() > numbers::PI / 180 * degrees)
       throw NotConverged("an obstacle turns by more than " +
-                         std::string(dim == 2 ? "90" : "20") +
+                         std::to_string(degrees) +
                          " degrees within the increment");
   }
 

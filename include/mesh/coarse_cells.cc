@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/dimension.h"
 #include "base/errors.h"
 
 namespace Contact
@@ -18,11 +19,6 @@ namespace Contact
   namespace
   {
     using Corners = decltype(CellData<2>::vertices);
-
-    template<int dim>
-    constexpr const char *body_keyword = dim == 2 ? "Surface" : "Volume";
-
-
 
     /// The volumes (areas) that the edges of a cell span at its corners, by the
     /// power dim of the longest of these edges; a cell whose Jacobian
@@ -109,14 +105,10 @@ namespace Contact
           std::string places;
           for (const unsigned int corner : corners)
             places += " " + to_string(points[corner]);
-          throw InputError(
-            "element " + std::to_string(element.number) +
-              " is tangled or flat, its corners are" + places,
-            msh.where(element),
-            dim == 2 ? "quadrangles have to be convex with four corners, "
-                       "triangles need an area"
-                     : "at each corner of a hexahedron the three edges have to "
-                       "span a volume, of one orientation");
+          throw InputError("element " + std::to_string(element.number) +
+                             " is tangled or flat, its corners are" + places,
+                           msh.where(element),
+                           Dimension<dim>::shapes_of_cells);
         }
     }
   } // namespace
@@ -137,13 +129,13 @@ namespace Contact
         if (groups.size() != 1)
           throw InputError(groups.empty()
                              ? std::string("a cell belongs to no physical ") +
-                                 body_name<dim> + " with a name"
+                                 Dimension<dim>::body + " with a name"
                              : "a cell belongs to two bodies, '" +
                                  *groups.begin() + "' and '" +
                                  *groups.rbegin() + "'",
                            msh.where(element),
                            std::string("every cell needs one body: Physical ") +
-                             body_keyword<dim> +
+                             Dimension<dim>::body_keyword +
                              "(\"...\") = {...}; in the .geo file");
 
         CellData<dim> cell(element.nodes.size());

@@ -22,10 +22,6 @@ namespace Contact
   /// Number of a node in the file -> our number of the vertex.
   using VertexNumbers = std::map<long, unsigned int>;
 
-  /// The word of gmsh for a body, in messages.
-  template<int dim>
-  constexpr const char *body_name = dim == 2 ? "surface" : "volume";
-
   /// The cells of a gmsh file, with corners in gmsh's order, right-handed:
   /// those of the other orientation are turned round. Throws InputError where a
   /// cell is tangled or has not one body.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/dimension.h"
 #include "base/errors.h"
 
 namespace Contact
@@ -49,13 +50,6 @@ namespace Contact
     }
 
 
-
-    /// The words for faces in messages.
-    template<int dim>
-    constexpr const char *face_name = dim == 2 ? "edge" : "face";
-
-    template<int dim>
-    constexpr const char *element_name = dim == 2 ? "line" : "surface element";
 
     /// Number the nodes that are corners of cells, in the order of the file's
     /// numbers. The others (mid-sides, centres of circles) are no vertices.
@@ -141,11 +135,11 @@ namespace Contact
             faces[face].corners = corners;
             if (++faces[face].n_cells > 2)
               throw InputError(std::string("three cells share the ") +
-                                 face_name<dim> + " from " +
+                                 Dimension<dim>::facet + " from " +
                                  to_string(points[corners[0]]) + " to " +
-                                 to_string(points[corners[dim == 2 ? 1 : 2]]),
+                                 to_string(points[corners[corners.size() / 2]]),
                                msh.name,
-                               std::string(body_name<dim>) +
+                               std::string(Dimension<dim>::body) +
                                  "s must not overlap");
           }
       return faces;
@@ -180,8 +174,9 @@ namespace Contact
         {
           if (opposite_of_first(corners, corners) !=
               opposite_of_first(corners, found->second.corners))
-            throw InputError(std::string("a ") + element_name<dim> +
-                               " has the corners of a " + face_name<dim> +
+            throw InputError(std::string("a ") + Dimension<dim>::boundary +
+                               " has the corners of a " +
+                               Dimension<dim>::facet +
                                " of a cell, but in an order that crosses it",
                              msh.where(element),
                              "list the corners one after the other: write the "
@@ -189,15 +184,15 @@ namespace Contact
           return found;
         }
 
-      throw InputError(std::string("a ") + element_name<dim> +
+      throw InputError(std::string("a ") + Dimension<dim>::boundary +
                          " of the physical group '" + *element.groups.begin() +
-                         "' is no " + face_name<dim> + " of a cell",
+                         "' is no " + Dimension<dim>::facet + " of a cell",
                        msh.where(element),
-                       std::string("mesh the ") +
-                         (dim == 2 ? "line" : "surface") + " and the " +
-                         body_name<dim> + " together, give the " +
-                         body_name<dim> + " a physical group, or take the " +
-                         (dim == 2 ? "line" : "surface") + " out of its own");
+                       std::string("mesh the ") + Dimension<dim>::boundary +
+                         " and the " + Dimension<dim>::body +
+                         " together, give the " + Dimension<dim>::body +
+                         " a physical group, or take the " +
+                         Dimension<dim>::boundary + " out of its own");
     }
 
 

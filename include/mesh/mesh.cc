@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/dimension.h"
 #include "base/errors.h"
 #include "base/string_utilities.h"
 #include "mesh/coarse_mesh.h"
@@ -139,8 +140,8 @@ namespace Contact
       if (numbers.size() != dim)
         throw InputError("the point '" + name + "' is no place",
                          points_entry,
-                         std::string("write ") +
-                           (dim == 2 ? "'x, y'" : "'x, y, z'") + ", in mm");
+                         std::string("write '") + Dimension<dim>::coordinates +
+                           "', in mm");
       Point<dim> X;
       std::copy(numbers.begin(), numbers.end(), &X[0]);
       return X;
@@ -265,7 +266,7 @@ namespace Contact
     , owned_triangulation(make_triangulation<dim>(msh, communicator))
     , triangulation(*owned_triangulation)
   {
-    if (dim == 2 && msh.dimension() == 3)
+    if (msh.dimension() > dim)
       throw MeshOfVolumes();
     if (msh.dimension() != dim)
       throw InputError("the mesh has no volumes",
@@ -351,11 +352,11 @@ namespace Contact
     const auto &ids = find_group(boundaries, "boundary", name, entry);
     if (with_inner_faces.count(name) > 0)
       throw InputError("the boundary '" + name + "' has " +
-                         (ids.empty() ? "only" : "also") +
-                         (dim == 2 ? " lines" : " faces") + " inside bodies",
+                         (ids.empty() ? "only" : "also") + " " +
+                         Dimension<dim>::boundary + "s inside bodies",
                        "entry '" + entry + "'",
                        std::string("name a group of ") +
-                         (dim == 2 ? "lines" : "faces") + " that bound a body");
+                         Dimension<dim>::boundary + "s that bound a body");
     return ids;
   }
 

@@ -137,7 +137,9 @@ namespace Contact
     template<int dim>
     unsigned int nodes_of_element(const bool serendipity)
     {
-      return dim == 2 ? (serendipity ? 8 : 9) : (serendipity ? 20 : 27);
+      // Of eight or twenty nodes they are those of corners and edges.
+      return serendipity ? (2 + dim) * Utilities::pow(2, dim - 1)
+                         : Utilities::pow(3, dim);
     }
 
 

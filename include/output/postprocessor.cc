@@ -132,7 +132,7 @@ namespace Contact
         for (const auto &contact_pair : model.interface->pairs)
           {
             auto &values = record.contact[contact_pair->name];
-            values       = results(*contact_pair).by_name(dim);
+            values       = results(*contact_pair).template by_name<dim>();
             if (contact_pair->obstacle || !contact_pair->free_motions.empty())
               values.merge(
                 obstacle_values(*model.interface,

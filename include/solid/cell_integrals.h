@@ -10,6 +10,7 @@
 
 #include <array>
 
+#include "base/dimension.h"
 #include "solid/cell_kernel.h"
 #include "solid/symmetry.h"
 
@@ -68,9 +69,9 @@ namespace Contact
   protected:
     const Material &elastic;
 
-    static constexpr unsigned int n_max    = dim == 2 ? 9 : 27; // nodes
+    static constexpr unsigned int n_max    = Utilities::pow(3, dim); // nodes
     static constexpr unsigned int n_modes  = dim + 1;
-    static constexpr unsigned int n_shears = dim == 2 ? 1 : 3;
+    static constexpr unsigned int n_shears = Dimension<dim>::n_rotations;
 
     using AtPoints = std::array<double, n_max>; // by quadrature point
 

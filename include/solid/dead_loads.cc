@@ -9,6 +9,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>
 
+#include "base/dimension.h"
 #include "parameters/formula.h"
 
 namespace Contact
@@ -26,7 +27,7 @@ namespace Contact
       try
         {
           return parse_formula<dim>(formula,
-                                    dim == 2 ? "x,y" : "x,y,z",
+                                    Dimension<dim>::coordinates,
                                     section + entry);
         }
       catch (const std::runtime_error &error)

@@ -186,9 +186,9 @@ namespace Contact
 
     /// Add the forces of forces and moments on rigid boundaries. At full values
     /// of the undeformed boundaries, the sum of their magnitudes.
-    void   add_rigid_loads(const GhostedVector &u,
-                           const double         load_factor,
-                           GhostedVector       &load) const;
+    void add_rigid_loads(const GhostedVector &u,
+                         const double         load_factor,
+                         GhostedVector       &load) const;
 
     /// The sum of the magnitudes of the nodal forces on undeformed bodies.
     double rigid_load(const double load_factor) const;

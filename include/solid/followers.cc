@@ -112,9 +112,8 @@ namespace Contact
   {
     std::set<types::global_dof_index>    constrained, seen;
     std::vector<types::global_dof_index> dofs;
-    if (dim == 3)
-      for (const auto &line : constraints.get_lines())
-        constrained.insert(line.index);
+    for (const auto &line : constraints.get_lines())
+      constrained.insert(line.index);
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (!cell->is_artificial())
         {
@@ -131,8 +130,8 @@ namespace Contact
                 {
                   // Of a face in common with a cell before: it is bound.
                   const auto index = dof(follower.node);
-                  if (dim == 3 && (constrained.count(index) > 0 ||
-                                   !seen.insert(index).second))
+                  if (constrained.count(index) > 0 ||
+                      !seen.insert(index).second)
                     continue;
                   constraints.add_line(index);
                   for (const auto &[node, factor] : follower.leaders)

@@ -98,8 +98,8 @@ namespace Contact
   StabilizationSprings<dim>::rotation_row(const CellTable<dim> &cell,
                                           const unsigned int    axis) const
   {
-    const unsigned int i = dim == 2 ? 0 : (axis + 1) % 3;
-    const unsigned int j = dim == 2 ? 1 : (axis + 2) % 3;
+    const unsigned int i = (Dimension<dim>::first_axis + axis + 1) % 3;
+    const unsigned int j = (Dimension<dim>::first_axis + axis + 2) % 3;
     const double volume = std::accumulate(cell.JxW.begin(), cell.JxW.end(), 0.);
     Vector<double> row(cell.dofs.size());
     for (unsigned int q = 0; q < cell.JxW.size(); ++q)

@@ -13,6 +13,7 @@
 #include <map>
 #include <vector>
 
+#include "base/dimension.h"
 #include "solid/cell_tables.h"
 
 namespace Contact
@@ -108,8 +109,7 @@ namespace Contact
     double mean_depth(const unsigned int piece) const;
 
   private:
-    /// The axes of rotation: one across the plane, three in space.
-    static constexpr unsigned int n_axes = dim == 2 ? 1 : 3;
+    static constexpr unsigned int n_axes = Dimension<dim>::n_rotations;
 
     /// The springs of a cell: of each corner, and of its rotation about each
     /// axis, whose derivative by the displacements of the cell is a row.

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "base/all_ranks.h"
+#include "base/dimension.h"
 #include "base/errors.h"
 #include "parameters/formula.h"
 #include "solid/discretization.h"
@@ -173,10 +174,10 @@ namespace Contact
         try
           {
             if (is_new)
-              formulas.push_back(
-                parse_formula_in_time<dim>(formula,
-                                           dim == 2 ? "x,y,t" : "x,y,z,t",
-                                           entry));
+              formulas.push_back(parse_formula_in_time<dim>(
+                formula,
+                std::string(Dimension<dim>::coordinates) + ", t",
+                entry));
           }
         catch (const std::runtime_error &error)
           {

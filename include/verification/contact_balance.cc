@@ -7,6 +7,7 @@
 
 #include <map>
 
+#include "base/dimension.h"
 #include "verification/contact_check.h"
 #include "verification/worst_condition.h"
 
@@ -162,7 +163,7 @@ namespace Contact
       of_moments,
       slack.relative + (is_apart ? of_gap : loss),
       "the forces of contact on both bodies have the moment " +
-        brief(all.moment.norm()) + " N" + (dim == 2 ? "" : " mm"),
+        brief(all.moment.norm()) + " " + Dimension<dim>::moment_unit,
       is_apart
         ? "The surfaces are apart where they are glued or have an "
           "interference, and the moment of the shear over the gap is lost: "

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/dimension.h"
 #include "solid/followers.h"
 
 namespace Contact
@@ -337,7 +338,7 @@ namespace Contact
                          left,
                          discretization.dof_handler.locally_owned_dofs());
     for (unsigned int k = 0; k < 6; ++k)
-      if (k < dim || (k >= 3 && (dim == 3 || k == 5)))
+      if (k < 3 ? k < dim : k >= 3 + Dimension<dim>::first_axis)
         found.reactions[boundary.name][(k < 3 ? "" : "moment ") +
                                        std::string(1, "xyz"[k % 3])] =
           Utilities::MPI::sum(resultant[k], discretization.communicator);

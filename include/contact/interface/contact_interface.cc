@@ -10,6 +10,7 @@
 
 #include <algorithm>
 
+#include "base/dimension.h"
 #include "base/errors.h"
 #include "base/string_utilities.h"
 #include "contact/surfaces/surface_checks.h"
@@ -69,7 +70,7 @@ namespace Contact
     for (unsigned int j = 0; j < pairs.size(); ++j)
       for (unsigned int i = 0; i < j; ++i)
         {
-          const std::string parts      = dim == 2 ? "lines" : "surfaces";
+          const std::string parts = Dimension<dim>::boundary + std::string("s");
           const bool both_have_masters = pairs[i]->master && pairs[j]->master;
           const bool is_same =
             overlap(pairs[i]->slave, pairs[j]->slave) && same_master(i, j);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "base/dimension.h"
 #include "base/errors.h"
 
 namespace Contact
@@ -85,8 +86,8 @@ namespace Contact
     for (unsigned int i = 0; i < dim; ++i)
       values[std::string("obstacle_force_") + "xyz"[i]] = force[i];
     for (unsigned int i = 0; i < Moment<dim>::dimension; ++i)
-      values[std::string("obstacle_moment_") + "xyz"[dim == 2 ? 2 : i]] =
-        moment[i];
+      values[std::string("obstacle_moment_") +
+             "xyz"[Dimension<dim>::first_axis + i]] = moment[i];
     return values;
   }
 

@@ -429,9 +429,13 @@ namespace Contact
     const unsigned int n = sum.dofs.size();
     sum.C.reinit(mean.n_nodes, n);
     sum.turn.resize(n);
-    sum.slide.resize(dim == 3 ? mean.n_nodes : 0);
-    sum.weight.resize(dim == 2 ? n : 0);
-    sum.projection.resize(dim == 2 ? n : 0);
+    if constexpr (dim == 2)
+      {
+        sum.weight.resize(n);
+        sum.projection.resize(n);
+      }
+    else
+      sum.slide.resize(mean.n_nodes);
     for (const unsigned int q : joined)
       {
         const ContactPoint<dim>  &point  = points[q];

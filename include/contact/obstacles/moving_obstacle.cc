@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/dimension.h"
 #include "base/errors.h"
 #include "parameters/formula.h"
 
@@ -80,7 +81,7 @@ namespace Contact
       if (!centre.empty() && centre.size() != dim)
         refuse("this is no point",
                "Obstacle centre",
-               dim == 2 ? "write x, y" : "write x, y, z");
+               std::string("write ") + Dimension<dim>::coordinates);
       if (!axis.empty() && (dim == 2 || axis.size() != 3 ||
                             std::count(axis.begin(), axis.end(), 0.) == 3))
         refuse("this is no direction in space",

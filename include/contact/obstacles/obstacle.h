@@ -12,6 +12,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/dimension.h"
 #include "parameters/choices.h"
 
 namespace Contact
@@ -21,7 +22,7 @@ namespace Contact
   /// A moment [N mm per mm of thickness], or a turn [rad]: in the plane about
   /// z.
   template<int dim>
-  using Moment = Tensor<1, dim == 2 ? 1 : 3>;
+  using Moment = Tensor<1, Dimension<dim>::n_rotations>;
 
   inline Moment<2> moment_of(const Tensor<1, 2> &arm, const Tensor<1, 2> &force)
   {

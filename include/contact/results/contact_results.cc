@@ -92,19 +92,6 @@ namespace Contact
 
 
 
-  std::map<std::string, double> ContactResults::by_name(const int dim) const
-  {
-    return {{"normal_force", normal_force},
-            {"tangential_force", tangential_force},
-            {"max_pressure", max_pressure},
-            {"max_shear", max_shear},
-            {dim == 2 ? "width" : "area", dim == 2 ? width : area},
-            {dim == 2 ? "stick_width" : "stick_area",
-             dim == 2 ? stick_width : stick_area}};
-  }
-
-
-
   template<>
   ContactResults contact_results(const ContactInterface<2> &interface,
                                  const ContactPair<2>      &contact_pair,
@@ -154,8 +141,8 @@ namespace Contact
                 results);
     if (contact_pair.master)
       add_corners_of_master(contact_pair, solution, patches);
-    results.width       = patches.width();
-    results.stick_width = patches.stick_width();
+    results.extent       = patches.width();
+    results.stick_extent = patches.stick_width();
     return results;
   }
 
@@ -184,9 +171,9 @@ namespace Contact
         shear += point.weight * point.along_tangents(t.q);
         results.max_pressure = std::max(results.max_pressure, t.p);
         results.max_shear    = std::max(results.max_shear, t.q.norm());
-        results.area += point.weight;
+        results.extent += point.weight;
         if (point.status.kind == Status::stick)
-          results.stick_area += point.weight;
+          results.stick_extent += point.weight;
       }
     results.tangential_force = shear.norm();
     return results;

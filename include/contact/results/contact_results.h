@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/dimension.h"
 #include "contact/interface/contact_interface.h"
 
 namespace Contact
@@ -30,17 +31,24 @@ namespace Contact
     double max_shear    = 0;
 
     /// The lengths of all patches of contact, and of sticking, by the
-    /// undeformed arc length of the slave [mm]: see ContactPatches.
-    double width       = 0;
-    double stick_width = 0;
+    /// undeformed arc length of the slave [mm]: see ContactPatches. In space
+    /// the areas that the points in contact, and those that stick, stand for
+    /// [mm^2].
+    double extent       = 0;
+    double stick_extent = 0;
 
-    /// In space the areas that the points in contact, and those that stick,
-    /// stand for [mm^2]; there are no widths then.
-    double area       = 0;
-    double stick_area = 0;
-
-    /// With the widths in the plane, with the areas in space.
-    std::map<std::string, double> by_name(const int dim) const;
+    /// With widths in the plane, with areas in space.
+    template<int dim>
+    std::map<std::string, double> by_name() const
+    {
+      const std::string name = Dimension<dim>::extent;
+      return {{"normal_force", normal_force},
+              {"tangential_force", tangential_force},
+              {"max_pressure", max_pressure},
+              {"max_shear", max_shear},
+              {name, extent},
+              {"stick_" + name, stick_extent}};
+    }
   };
 
   /// @p u_start is the solution at the start of the increment; with

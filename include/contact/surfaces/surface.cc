@@ -14,6 +14,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/dimension.h"
 #include "base/errors.h"
 
 namespace Contact
@@ -201,10 +202,10 @@ namespace Contact
     collect_facets(boundary_ids);
     if (facets.empty())
       throw InputError("the surface '" + name + "' has no " +
-                         (dim == 2 ? "edge" : "face"),
+                         Dimension<dim>::facet,
                        "Contact",
                        std::string("name a boundary group of the mesh that ") +
-                         "has " + (dim == 2 ? "lines" : "surfaces"));
+                         "has " + Dimension<dim>::boundary + "s");
     arrange();
     if (cut == SurfaceCut::into_sides)
       cut_into_sides();

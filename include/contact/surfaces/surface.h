@@ -199,7 +199,7 @@ namespace Contact
 
   /// Something at each node of a facet.
   template<int dim, typename T>
-  using PerFacetNode = std::array<T, dim == 2 ? 3 : 9>;
+  using PerFacetNode = std::array<T, Utilities::pow(3, dim - 1)>;
 
   template<typename T>
   using PerEdgeNode = PerFacetNode<2, T>;

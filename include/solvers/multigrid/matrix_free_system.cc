@@ -107,9 +107,9 @@ namespace Contact
   {
     const auto       &mesh  = discretization.mesh.triangulation;
     const std::size_t n     = discretization.dof_handler.n_dofs();
-    const std::size_t least = elasticity.is_linear()
-                                ? (dim == 2 ? 20000 : 5000)
-                                : (dim == 2 ? 100000 : 10000);
+    const std::size_t least = dim == 2
+                                ? (elasticity.is_linear() ? 20000 : 100000)
+                                : (elasticity.is_linear() ? 5000 : 10000);
     // Of all ranks: each has to choose the same.
     const double coarse_part =
       double(mesh.n_cells(0)) / mesh.n_global_active_cells();

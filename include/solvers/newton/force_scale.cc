@@ -53,8 +53,9 @@ namespace Contact
     middle   = low + 0.5 * (high - low);
     size     = low.distance(high);
     slender  = std::max(1., size / smallest);
-    modulus *= dim == 2 ? circumference : size;
-    softest *= dim == 2 ? circumference : size;
+    const double depth = dim == 2 ? circumference : size;
+    modulus *= depth;
+    softest *= depth;
 
     if (interface != nullptr)
       {

@@ -33,7 +33,7 @@ namespace Contact
   {
     const bool is_same = n_changes == 0 && !residuals.empty() &&
                          std::abs(residual - residuals.back()) < residual / 50;
-    n_still            = is_same ? n_still + 1 : 0;
+    n_still = is_same ? n_still + 1 : 0;
     residuals.push_back(residual);
     if (residuals.size() > memory)
       residuals.pop_front();

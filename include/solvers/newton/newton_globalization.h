@@ -29,8 +29,8 @@ namespace Contact
    * only: where that is above the tolerance, the method is lost.
    *
    * Where no point changes its status and the residual is the same for five
-   * steps, within a tenth, the tangent knows nothing of what holds it: more steps
-   * do not help.
+   * steps, within a tenth, the tangent knows nothing of what holds it: more
+   * steps do not help.
    *
    * Cycles: all points change their status at once. If their number has not
    * come below its minimum for ten steps in which points change at all, one
@@ -47,8 +47,8 @@ namespace Contact
     /// small as @p tolerance.
     bool is_lost(const double residual, const double tolerance) const;
 
-    /// A step has ended with this residual, and @p n_changes points want to change
-    /// their statuses: returns whether the residual is the smallest.
+    /// A step has ended with this residual, and @p n_changes points want to
+    /// change their statuses: returns whether the residual is the smallest.
     bool advance(const double residual, const unsigned int n_changes);
 
     /// Whether the residual is that of five steps before.

@@ -339,8 +339,8 @@ namespace Contact
   {
     if (n_steps > 0 || !std::isfinite(convergence.residual()))
       check();
-    const bool progress = guard.advance(convergence.residual_norm(),
-                                        n_status_changes);
+    const bool progress =
+      guard.advance(convergence.residual_norm(), n_status_changes);
     if (guard.stands_still() && !convergence.has_converged())
       throw NotConverged("Newton's method stands still: the residual is " +
                          brief(convergence.residual()) +
