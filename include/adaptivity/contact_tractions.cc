@@ -132,9 +132,9 @@ namespace Contact
         if (!contact_pair.law.is_frictionless())
           at_nodes[i][1] = solution[interface.tangential_index(k)];
       }
-    const auto of_corners = corner_loads(interface, contact_pair, solution);
+    const auto of_corners = corner_tractions(interface, contact_pair, solution);
     for (unsigned int i = 0; i < of_corners.size(); ++i)
-      at_nodes[i] += of_corners[i].traction();
+      at_nodes[i] += of_corners[i];
   }
 
 

@@ -138,6 +138,31 @@ namespace Contact
 
 
 
+    /// The forces of contact points on the nodes of one of their surfaces,
+    /// positive if they push.
+    template<int dim, typename Points>
+    void add_nodal_forces(const ContactInterface<dim>  &interface,
+                          const Points                 &points,
+                          const ContactPair<dim>       &contact_pair,
+                          const bool                    of_slave,
+                          const GhostedVector          &solution,
+                          std::vector<ProfileRow<dim>> &rows)
+    {
+      const Surface<dim> &surface =
+        of_slave ? contact_pair.slave : *contact_pair.master;
+      std::map<types::global_dof_index, unsigned int> node_of_dof;
+      for (unsigned int n = 0; n < surface.nodes.size(); ++n)
+        node_of_dof[surface.nodes[n].dofs[0]] = n;
+      for (const ContactPoint<dim> &point : points)
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          if (point.is_on_slave(a) == of_slave)
+            rows[node_of_dof.at(point.dofs(a)[0])].nodal_force +=
+              (a < point.n_slave_nodes ? 1 : -1) * point.C[a] *
+              normal_force(interface, point, solution);
+    }
+
+
+
     /// Pressure, shear, nodal force and status, which come with multipliers.
     template<int dim>
     void add_contact_values(const ContactInterface<dim>  &interface,
@@ -146,7 +171,8 @@ namespace Contact
                             const GhostedVector          &u_start,
                             std::vector<ProfileRow<dim>> &rows)
     {
-      const auto of_corners = corner_loads(interface, contact_pair, solution);
+      const auto of_corners =
+        corner_tractions(interface, contact_pair, solution);
       std::map<unsigned int, unsigned int> node_of; // by multiplier
       for (unsigned int n = 0; n < rows.size(); ++n)
         {
@@ -163,9 +189,8 @@ namespace Contact
             }
           if (!of_corners.empty())
             {
-              rows[n].nodal_force += of_corners[n].force[0];
-              rows[n].pressure += of_corners[n].traction()[0];
-              rows[n].shear += of_corners[n].traction()[1];
+              rows[n].pressure += of_corners[n][0];
+              rows[n].shear += of_corners[n][1];
             }
         }
 
@@ -196,6 +221,12 @@ namespace Contact
             }
         }
       fill_in_hanging(contact_pair.slave, rows);
+      add_nodal_forces(interface,
+                       interface.corners_of_master(contact_pair),
+                       contact_pair,
+                       true,
+                       solution,
+                       rows);
     }
 
 
@@ -304,23 +335,18 @@ namespace Contact
           interpolate(contact_pair.slave, slave, place, rows[n]);
       }
 
-    std::map<types::global_dof_index, unsigned int> node_of_dof;
-    for (unsigned int n = 0; n < master.nodes.size(); ++n)
-      node_of_dof[master.nodes[n].dofs[0]] = n;
-    // Positive if it pushes.
-    const auto add = [&](const auto &points) {
-      for (const ContactPoint<dim> &point : points)
-        {
-          const double force = normal_force(interface, point, solution);
-          for (unsigned int a = 0; a < point.n_nodes; ++a)
-            if (!point.is_on_slave(a))
-              rows[node_of_dof.at(point.dofs(a)[0])].nodal_force +=
-                std::abs(point.C[a]) * force;
-        }
-    };
-    add(interface.acting_points(contact_pair));
-    add(interface.corners_of_master(contact_pair));
-
+    add_nodal_forces(interface,
+                     interface.acting_points(contact_pair),
+                     contact_pair,
+                     false,
+                     solution,
+                     rows);
+    add_nodal_forces(interface,
+                     interface.corners_of_master(contact_pair),
+                     contact_pair,
+                     false,
+                     solution,
+                     rows);
     add_exact_values(exact, rows);
     reverse(rows);
     return rows;

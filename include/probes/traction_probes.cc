@@ -255,15 +255,16 @@ namespace Contact
     const auto              found        = on_slave(place, interface, solution);
     const ContactPair<dim> &contact_pair = *found.contact_pair;
     const bool              is_normal    = quantity == Quantity::pressure;
-    const auto of_corners = corner_loads(*interface, contact_pair, solution);
-    double     sum        = 0;
+    const auto              of_corners =
+      corner_tractions(*interface, contact_pair, solution);
+    double sum = 0;
     for (const auto &[n, weight] : found.nodes)
       {
         const double of_multiplier =
           is_normal ? pressure_at(*interface, contact_pair, n, solution)
                     : shear_of_node(*interface, contact_pair, n, solution);
         const double of_corner =
-          of_corners.empty() ? 0. : of_corners[n].traction()[is_normal ? 0 : 1];
+          of_corners.empty() ? 0. : of_corners[n][is_normal ? 0 : 1];
         sum += weight * (of_multiplier + of_corner);
       }
     return sum;

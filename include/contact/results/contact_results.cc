@@ -224,18 +224,17 @@ namespace Contact
 
   // The multipliers of a solution are the tractions, which are the same seen
   // from either side.
-  std::vector<CornerLoad> corner_loads(const ContactInterface<2> &interface,
-                                       const ContactPair<2>      &contact_pair,
-                                       const GhostedVector       &solution)
+  std::vector<Tensor<1, 2>>
+  corner_tractions(const ContactInterface<2> &interface,
+                   const ContactPair<2>      &contact_pair,
+                   const GhostedVector       &solution)
   {
     if (!contact_pair.has_corner_points())
       return {};
     MultiplierSpace numbering;
     const auto      own = make_nodal_points(contact_pair.slave, {}, numbering);
-    const Surface<2>       &slave = contact_pair.slave;
-    std::vector<CornerLoad> loads;
-    for (unsigned int n = 0; n < slave.nodes.size(); ++n)
-      loads.push_back({Tensor<1, 2>(), own[numbering.of_node[n]].weight});
+    const Surface<2>         &slave = contact_pair.slave;
+    std::vector<Tensor<1, 2>> tractions(slave.nodes.size());
     for (const ContactPoint<2> &point :
          interface.corners_of_master(contact_pair))
       if (point.facing)
@@ -246,10 +245,13 @@ namespace Contact
             point.weight * Tensor<1, 2>({now.lambda_n, now.lambda_t[0]});
           const auto parts = parts_of_force(slave.degree, point.master_xi);
           for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-            loads[slave.facets[point.master_facet].nodes[a]].force +=
-              parts[a] * force;
+            {
+              const unsigned int n = slave.facets[point.master_facet].nodes[a];
+              tractions[n] +=
+                parts[a] / own[numbering.of_node[n]].weight * force;
+            }
         }
-    return loads;
+    return tractions;
   }
 
 

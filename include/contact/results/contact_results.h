@@ -84,31 +84,20 @@ namespace Contact
                      const GhostedVector         &solution);
 
   /**
-   * The load of the points at corners of the master on a node of the slave: the
-   * force along normal and tangent of the node's own point, to be added to the
-   * force of that point [N per mm], and the integral of the node's shape
-   * function, over which it is spread [mm].
+   * The load of the points at corners of the master on the nodes of the slave:
+   * the force along normal and tangent of the node's own point by the integral
+   * of the node's shape function, over which it is spread, to be added to
+   * pressure and shear (p, q) of that point [MPa]. By slave node; empty if
+   * there are no such points.
    */
-  struct CornerLoad
-  {
-    Tensor<1, 2> force;
-    double       weight;
+  std::vector<Tensor<1, 2>>
+  corner_tractions(const ContactInterface<2> &interface,
+                   const ContactPair<2>      &contact_pair,
+                   const GhostedVector       &solution);
 
-    /// As pressure and shear (p, q) at the node [MPa].
-    Tensor<1, 2> traction() const
-    {
-      return force / weight;
-    }
-  };
-
-  /// By slave node; empty if there are no such points.
-  std::vector<CornerLoad> corner_loads(const ContactInterface<2> &interface,
-                                       const ContactPair<2>      &contact_pair,
-                                       const GhostedVector       &solution);
-
-  inline std::vector<CornerLoad> corner_loads(const ContactInterface<3> &,
-                                              const ContactPair<3> &,
-                                              const GhostedVector &)
+  inline std::vector<Tensor<1, 2>> corner_tractions(const ContactInterface<3> &,
+                                                    const ContactPair<3> &,
+                                                    const GhostedVector &)
   {
     return {};
   }
