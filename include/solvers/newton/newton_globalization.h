@@ -30,7 +30,7 @@ namespace Contact
    *
    * Where no point changes its status and the residual is the same for five
    * steps, within a tenth, the tangent knows nothing of what holds it: more
-   * steps do not help.
+   * steps do not help, unless the pairing has been frozen meanwhile.
    *
    * Cycles: all points change their status at once. If their number has not
    * come below its minimum for ten steps in which points change at all, one
@@ -53,6 +53,12 @@ namespace Contact
 
     /// Whether the residual is that of five steps before.
     bool stands_still() const;
+
+    /// The problem that the steps did not solve has become a simpler one.
+    void move_on()
+    {
+      n_still = 0;
+    }
 
     /// Forget the residuals: the next step starts a new problem, as one that
     /// moves supports does.

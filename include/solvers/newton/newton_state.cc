@@ -341,13 +341,13 @@ namespace Contact
       check();
     const bool progress =
       guard.advance(convergence.residual_norm(), n_status_changes);
+    if (n_steps > 0 && pairing.advance(state, last, progress))
+      guard.move_on();
     if (guard.stands_still() && !convergence.has_converged())
       throw NotConverged("Newton's method stands still: the residual is " +
                          brief(convergence.residual()) +
                          " for five steps, and no point changes its status" +
                          unsettled());
-    if (n_steps > 0)
-      pairing.advance(state, last, progress);
   }
 
 

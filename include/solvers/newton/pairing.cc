@@ -223,16 +223,18 @@ namespace Contact
 
 
   template<int dim>
-  void Pairing<dim>::advance(const IncrementState<dim> &state,
+  bool Pairing<dim>::advance(const IncrementState<dim> &state,
                              const GhostedVector       &last,
                              const bool                 progress)
   {
     if (!follows_each_step())
-      return;
+      return false;
+    const bool was_frozen = is_frozen;
     guard.advance(model.interface->largest_change(state.solution, last),
                   way(state),
                   progress);
     freeze(guard.is_frozen());
+    return is_frozen && !was_frozen;
   }
 
 

@@ -90,8 +90,9 @@ namespace Contact
     void follow(const GhostedVector &solution, const bool after_a_step);
 
     /// A Newton step has led from @p last to the state; progress is the
-    /// smallest residual so far. See PairingGuard.
-    void advance(const IncrementState<dim> &state,
+    /// smallest residual so far. See PairingGuard. Returns whether the pairing
+    /// has been frozen now.
+    bool advance(const IncrementState<dim> &state,
                  const GhostedVector       &last,
                  const bool                 progress);
 
