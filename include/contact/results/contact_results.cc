@@ -101,44 +101,57 @@ namespace Contact
   {
     ContactPatches patches(contact_pair.slave);
     ContactResults results;
-    const auto     sample_of = [&](const ContactPoint<2> &point) {
-      const ContactState<2> now = interface.state(point, solution, u_start);
-      const Traction<2>     traction =
-        add_force(interface, point, now, moving_bound, results);
-      results.max_pressure = std::max(results.max_pressure, traction.p);
-      results.max_shear = std::max(results.max_shear, std::abs(traction.q[0]));
-      return PatchSample{patches.arc_length(point),
-                         true,
-                         point.status.kind == Status::stick,
-                         point.tangential_row_is_void &&
-                           !point.status.has_direction(),
-                         traction.p,
-                         std::abs(now.slip[0])};
+    const auto     add_point = [&](const ContactPoint<2> &point) {
+      return add_force(interface,
+                       point,
+                       interface.state(point, solution, u_start),
+                       moving_bound,
+                       results);
+    };
+    // With the weight of the node that it stands for.
+    const auto sample_of = [&](const ContactPoint<2> &point,
+                               const Traction<2>     &traction,
+                               const ContactPoint<2> &at) {
+      const double part    = point.weight / at.weight;
+      results.max_pressure = std::max(results.max_pressure, part * traction.p);
+      results.max_shear =
+        std::max(results.max_shear, part * std::abs(traction.q[0]));
+      return PatchSample{
+        patches.arc_length(at),
+        true,
+        point.status.kind == Status::stick,
+        point.tangential_row_is_void && !point.status.has_direction(),
+        part * traction.p,
+        std::abs(interface.state(point, solution, u_start).slip[0])};
     };
 
-    for (const ContactPoint<2> &point : interface.acting_points(contact_pair))
-      {
-        const double s = patches.arc_length(point);
-        if (!point.facing || point.status.kind == Status::open)
-          {
-            // On an axis at degree 2 a force does no work on the rest, and
-            // round-off opens a point: contact goes on to it.
-            if (contact_pair.slave.degree == 1 ||
-                !contact_pair.discretization.is_on_axis(
-                  contact_pair.place(point)))
-              patches.add(point, {s, false, false, false, 0, 0});
-            continue;
-          }
-
-        patches.add(point, sample_of(point));
-      }
-    for (const ContactPoint<2> &point :
+    // A corner of the master at a node of the slave stands for that.
+    std::map<unsigned int, std::pair<const ContactPoint<2> *, Traction<2>>>
+      at_node;
+    for (const ContactPoint<2> &corner :
          interface.corners_of_master(contact_pair))
-      add_force(interface,
-                point,
-                interface.state(point, solution, u_start),
-                moving_bound,
-                results);
+      if (const Traction<2> traction = add_point(corner);
+          corner.status.kind != Status::open)
+        if (const unsigned int node = node_at_foot(corner, contact_pair.slave);
+            node != numbers::invalid_unsigned_int)
+          at_node[contact_pair.multipliers.of_node[node]] = {&corner, traction};
+
+    for (const ContactPoint<2> &point : interface.acting_points(contact_pair))
+      if (const auto corner = at_node.find(point.multipliers[0]);
+          !point.facing && corner != at_node.end())
+        patches.add(point,
+                    sample_of(*corner->second.first,
+                              corner->second.second,
+                              point));
+      else if (point.facing && point.status.kind != Status::open)
+        patches.add(point, sample_of(point, add_point(point), point));
+      // On an axis at degree 2 a force does no work on the rest, and round-off
+      // opens a point: contact goes on to it.
+      else if (contact_pair.slave.degree == 1 ||
+               !contact_pair.discretization.is_on_axis(
+                 contact_pair.place(point)))
+        patches.add(point,
+                    {patches.arc_length(point), false, false, false, 0, 0});
     if (contact_pair.master)
       add_corners_of_master(contact_pair, solution, patches);
     results.extent       = patches.width();
