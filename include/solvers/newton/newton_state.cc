@@ -341,7 +341,9 @@ namespace Contact
       check();
     const bool progress =
       guard.advance(convergence.residual_norm(), n_status_changes);
-    if (n_steps > 0 && pairing.advance(state, last, progress))
+    if (n_steps > 0)
+      pairing.advance(state, last, progress);
+    if (pairing.has_been_frozen(guard.stands_still()))
       guard.move_on();
     if (guard.stands_still() && !convergence.has_converged())
       throw NotConverged("Newton's method stands still: the residual is " +

@@ -223,18 +223,28 @@ namespace Contact
 
 
   template<int dim>
-  bool Pairing<dim>::advance(const IncrementState<dim> &state,
+  void Pairing<dim>::advance(const IncrementState<dim> &state,
                              const GhostedVector       &last,
                              const bool                 progress)
   {
     if (!follows_each_step())
-      return false;
-    const bool was_frozen = is_frozen;
+      return;
     guard.advance(model.interface->largest_change(state.solution, last),
                   way(state),
                   progress);
-    freeze(guard.is_frozen());
-    return is_frozen && !was_frozen;
+  }
+
+
+
+  template<int dim>
+  bool Pairing<dim>::has_been_frozen(const bool stands_still)
+  {
+    if (!follows_each_step() || is_frozen ||
+        !(stands_still || guard.is_frozen()))
+      return false;
+    guard.freeze();
+    freeze(true);
+    return true;
   }
 
 

@@ -90,11 +90,14 @@ namespace Contact
     void follow(const GhostedVector &solution, const bool after_a_step);
 
     /// A Newton step has led from @p last to the state; progress is the
-    /// smallest residual so far. See PairingGuard. Returns whether the pairing
-    /// has been frozen now.
-    bool advance(const IncrementState<dim> &state,
+    /// smallest residual so far. See PairingGuard.
+    void advance(const IncrementState<dim> &state,
                  const GhostedVector       &last,
                  const bool                 progress);
+
+    /// Freeze the pairing if the guard says so, or if Newton's method stands
+    /// still under one that moves: returns whether it has been frozen now.
+    bool has_been_frozen(const bool stands_still);
 
     /// Pair the points that have kept an earlier pairing in follow(), the
     /// surfaces being where they were then. Returns whether any may have.

@@ -46,6 +46,11 @@ namespace Contact
       frozen    = frozen || n_short == patience || n_stalled == patience;
     }
 
+    void freeze()
+    {
+      frozen = true;
+    }
+
     bool is_frozen() const
     {
       return frozen;
