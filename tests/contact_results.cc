@@ -140,16 +140,16 @@ namespace
     const auto none = model.results();
     check(name + ", none",
           none.normal_force == 0 && none.tangential_force == 0 &&
-            none.max_pressure == 0 && none.max_shear == 0 && none.width == 0 &&
-            none.stick_width == 0);
+            none.max_pressure == 0 && none.max_shear == 0 && none.extent == 0 &&
+            none.stick_extent == 0);
     model.set([](double) { return 1.; }, zero, 1);
     const auto all = model.results();
     check_small(name + ", all",
-                std::abs(all.width - length) +
-                  std::abs(all.stick_width - length),
+                std::abs(all.extent - length) +
+                  std::abs(all.stick_extent - length),
                 1e-12);
     model.set([](double) { return 1.; }, [](double) { return 1.; }, 1);
-    check(name + ", all slips", model.results().stick_width == 0);
+    check(name + ", all slips", model.results().stick_extent == 0);
   }
 
 
@@ -168,7 +168,7 @@ namespace
             },
             [](double) { return 1.; },
             1);
-          error = std::max(error, std::abs(model.results().width - 2 * half));
+          error = std::max(error, std::abs(model.results().extent - 2 * half));
         }
     check_small(name + ", ends of contact", error, 1e-12);
   }
@@ -189,8 +189,8 @@ namespace
                                cut_root(std::abs(x - middle) - half, 1.5);
                       },
                       1);
-            error =
-              std::max(error, std::abs(model.results().stick_width - 2 * half));
+            error = std::max(error,
+                             std::abs(model.results().stick_extent - 2 * half));
           }
     check_small(name + ", ends of stick", error, 1e-12);
   }
@@ -207,7 +207,7 @@ namespace
       zero,
       1);
     check_small(name + ", stick up to the end of contact",
-                std::abs(model.results().stick_width - 2.04),
+                std::abs(model.results().stick_extent - 2.04),
                 1e-12);
   }
 
@@ -226,7 +226,7 @@ namespace
     };
 
     model.set([&](const double x) { return near(x, 4 * h) ? 1. : 0.; }, one, 1);
-    check_small("one point", std::abs(model.results().width - h), 1e-12);
+    check_small("one point", std::abs(model.results().extent - h), 1e-12);
     model.set(
       [&](const double x) {
         return x > 3.5 * h && x < 6.5 * h ? 1 + std::abs(x - 5 * h) : 0.;
@@ -234,13 +234,13 @@ namespace
       one,
       1);
     check_small("growing pressure",
-                std::abs(model.results().width - 3 * h),
+                std::abs(model.results().extent - 3 * h),
                 1e-12);
     model.set(
       [&](const double x) { return near(x, 0) || near(x, length) ? 1. : 0.; },
       one,
       1);
-    check_small("a gap inside", std::abs(model.results().width - h), 1e-12);
+    check_small("a gap inside", std::abs(model.results().extent - h), 1e-12);
 
     // The first point is held, up to round-off, then two stick.
     for (const double slip : {0., 1e-20, -1e-20})
@@ -256,7 +256,7 @@ namespace
         points[0].tangential_row_is_void = true;
         model.interface.set_points(points);
         check_small("held point",
-                    std::abs(model.results().stick_width - 2.5 * h),
+                    std::abs(model.results().stick_extent - 2.5 * h),
                     1e-12);
       }
   }

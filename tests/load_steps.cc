@@ -93,28 +93,42 @@ namespace
 
 
   // Proves that a residual may rise for ten steps, but then not above the last
-  // five, that what is no number never passes, and when only one point may
-  // change.
+  // five, that what is no number never passes, when the method stands still,
+  // and when only one point may change.
   void check_guard()
   {
     headline("guard of Newton's method");
     NewtonGlobalization guard;
     check("anything to begin with", guard.accepts(1e30));
     check("but a number", !guard.accepts(std::nan("")));
-    guard.advance(1);
-    guard.advance(0.1);
+    guard.advance(1, 1);
+    guard.advance(0.1, 1);
     for (unsigned int i = 0; i < 9; ++i)
       {
         check("uphill for a while", guard.accepts(1e3));
-        guard.advance(0.5);
+        guard.advance(0.5, 1);
       }
-    guard.advance(0.5);
+    guard.advance(0.5, 1);
     check("then not above the largest of the last five",
           guard.accepts(0.5) && !guard.accepts(0.6));
-    guard.advance(0.05);
+    guard.advance(0.05, 1);
     check("progress: uphill again", guard.accepts(1e3));
     guard.forget();
     check("after a new start anything", guard.accepts(7));
+
+    guard.forget();
+    unsigned int still = 0;
+    while (!guard.stands_still())
+      {
+        guard.advance(0.5 - 1e-3 * still, 0);
+        ++still;
+      }
+    check("stands still after five steps that change nothing", still == 6);
+    guard.advance(0.4, 0);
+    check("progress", !guard.stands_still());
+    for (unsigned int i = 0; i < 10; ++i)
+      guard.advance(0.4, 1);
+    check("nor while points change", !guard.stands_still());
 
     unsigned int wasted = 0;
     while (!guard.one_at_a_time(4))
@@ -137,9 +151,9 @@ namespace
     const double        tolerance = 1e-5;
     NewtonGlobalization guard;
     check("large forces at the beginning", !guard.is_lost(1e15, tolerance));
-    guard.advance(1e15);
+    guard.advance(1e15, 1);
     check("smaller ones behind them", !guard.is_lost(1e14, tolerance));
-    guard.advance(1e-3);
+    guard.advance(1e-3, 1);
     check("a rise that one step takes back", !guard.is_lost(4e10, tolerance));
     check("a rise that none does", guard.is_lost(5e10, tolerance));
     check("a wider tolerance", !guard.is_lost(5e10, 2 * tolerance));
@@ -150,7 +164,7 @@ namespace
     unsigned int n        = 0;
     for (; n < 100 && !guard.is_lost(residual, tolerance); ++n)
       {
-        guard.advance(residual);
+        guard.advance(residual, 1);
         residual *= 31;
       }
     check("growth by 31 for nine steps", n == 9);

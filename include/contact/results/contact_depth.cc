@@ -211,8 +211,10 @@ namespace Contact
       {
         const DeformedSurface<dim> slave(contact_pair.slave, u),
           master(*contact_pair.master, u);
-        const double reach = largest_way(slave) + largest_way(master) +
-                             contact_pair.interference->at_start;
+        const double reach = as_drawn
+                               ? std::numeric_limits<double>::max()
+                               : largest_way(slave) + largest_way(master) +
+                                   contact_pair.interference->at_start;
         look(slave, master, false, communicator, reach, as_drawn, deepest);
         look(master, slave, true, communicator, reach, as_drawn, deepest);
         compare(communicator, deepest);

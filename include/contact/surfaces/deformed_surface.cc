@@ -69,10 +69,14 @@ namespace Contact
   bool NormalCone<dim>::faces(const Tensor<1, dim> &normal) const
   {
     const double largest = largest_cosine(normal);
+    const double angle   = std::acos(std::clamp(largest, -1., 1.));
+    // Sides that face it alike do so together.
+    const double alike = numbers::PI / 360 * Surface<dim>::feature_angle;
     return std::none_of(others.begin(),
                         others.end(),
                         [&](const auto &n) {
-                          return -(normal * n) > largest;
+                          return std::acos(std::clamp(-(normal * n), -1., 1.)) <
+                                 angle - alike;
                         }) &&
            (largest >= smallest_cosine() || is_between(normals, -normal));
   }

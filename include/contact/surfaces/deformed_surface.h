@@ -35,7 +35,7 @@ namespace Contact
     bool at_end = false;
 
     /// The normals of other sides that meet there: a face that is more opposite
-    /// to one of them is theirs.
+    /// to one of them, by half of Surface::feature_angle, is theirs.
     std::vector<Tensor<1, dim>> others{};
 
     /// The distance beyond the end of a face up to which it looks [mm].
