@@ -68,6 +68,8 @@ namespace
     void set(const Profile &pressure, const Profile &slip, const double bound)
     {
       change_points(interface, [&](ContactPoint<2> &point) {
+        if (point.is_master_corner)
+          return;
         const double p = pressure(x(point)), s = slip(x(point));
         point.status = {p <= 0   ? Status::open
                         : s == 0 ? Status::stick
