@@ -54,6 +54,8 @@ namespace
     unsigned int n_on_axis = 0;
     for (const ContactPoint<2> &point : model.interface.points())
       {
+        if (point.is_master_corner)
+          continue;
         const bool on_axis =
           model.discretization.is_on_axis(point.X(0)) && degree == 2;
         n_on_axis += on_axis;

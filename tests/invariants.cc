@@ -152,7 +152,7 @@ namespace
     const Invariants dragged = model.check();
     double           hand = 0, trapezoid = 0;
     bool             slips = true;
-    for (const ContactPoint<2> &point : model.interface.points())
+    for (const ContactPoint<2> &point : points_that_act(model.interface))
       {
         slips = slips && point.status.kind == Status::slip;
         // Along x, from which the surface turns away by a little.

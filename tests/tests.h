@@ -462,6 +462,21 @@ namespace Tests
     Counters             counters;
     DirectSolver         solver{counters};
   };
+
+
+
+  /// The points that act: without those of slave nodes that a corner of the
+  /// master stands for, and without corners that follow from others.
+  inline std::vector<ContactPoint<2>>
+  points_that_act(const ContactInterface<2> &interface)
+  {
+    std::vector<ContactPoint<2>> points;
+    for (const ContactPoint<2> &point : interface.points())
+      if (point.facing &&
+          !(point.is_master_corner && point.status.kind == Status::open))
+        points.push_back(point);
+    return points;
+  }
 } // namespace Tests
 
 #endif
