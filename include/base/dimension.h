@@ -21,7 +21,7 @@ namespace Contact
     static constexpr unsigned int n_rotations = 1;
     static constexpr unsigned int first_axis  = 2;
 
-    static constexpr const char *coordinates = "x, y";
+    static constexpr const char *coordinates = "x,y";
     static constexpr const char *moment_unit = "N"; // by thickness
 
     /// The words of gmsh for a body and for its boundary.
@@ -43,7 +43,7 @@ namespace Contact
     static constexpr unsigned int n_rotations = 3;
     static constexpr unsigned int first_axis  = 0;
 
-    static constexpr const char *coordinates = "x, y, z";
+    static constexpr const char *coordinates = "x,y,z";
     static constexpr const char *moment_unit = "N mm";
 
     static constexpr const char *body         = "volume";

@@ -176,7 +176,7 @@ namespace Contact
             if (is_new)
               formulas.push_back(parse_formula_in_time<dim>(
                 formula,
-                std::string(Dimension<dim>::coordinates) + ", t",
+                std::string(Dimension<dim>::coordinates) + ",t",
                 entry));
           }
         catch (const std::runtime_error &error)
