@@ -191,7 +191,7 @@ namespace
     };
     const double q         = overlap(0) / (overlap(0) - overlap(1));
     double       deviation = model.newton(1) > 0 ? 0 : 1;
-    for (unsigned int k = 0; k < model.interface->n_multipliers(); ++k)
+    for (const unsigned int k : model.interface->pairs[0]->multipliers.of_node)
       deviation =
         std::max(deviation,
                  std::abs(model.solution[model.interface->normal_index(k)] / q -

@@ -311,7 +311,7 @@ namespace
           const double p =
             model.interface.state(point, model.solution, model.start).p_trial;
           ++n_facing;
-          length += point.weight;
+          length += point.is_master_corner ? 0. : point.weight;
           positive = positive && point.weight > 0;
           pressed  = pressed && p > 0;
 
@@ -320,7 +320,7 @@ namespace
             {
               sum += point.C[a];
               moment += point.weight * p * point.C[a] * point.X(a)[0];
-              if (a < point.n_slave_nodes)
+              if (point.is_on_slave(a))
                 force += point.weight * p * point.C[a] * point.normal[1];
             }
           coefficients = std::max(coefficients, std::abs(sum));
