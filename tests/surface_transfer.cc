@@ -67,7 +67,7 @@ namespace
         converged = converged && model.solve(1);
         hanging   = hanging &&
                   (level == 0 || model.mesh.triangulation.has_hanging_nodes());
-        for (const ContactPoint<2> &point : model.interface->points())
+        for (const ContactPoint<2> &point : points_that_act(*model.interface))
           {
             in_contact = in_contact && point.status.kind == Status::slip;
             deviation  = std::max(
@@ -194,8 +194,8 @@ namespace
     restore_surfaces(state, *strips.interface, strips.solution);
 
     double error = 0;
-    bool   right = strips.interface->points().size() == degree * 12 + 1;
-    for (const ContactPoint<2> &point : strips.interface->points())
+    bool   right = points_of_slave(*strips.interface).size() == degree * 12 + 1;
+    for (const ContactPoint<2> &point : points_of_slave(*strips.interface))
       {
         const double x = point.X(0)[0];
         error          = std::max({error,
@@ -240,7 +240,7 @@ namespace
         restore_surfaces(state, *strips.interface, strips.solution);
 
         unsigned int wrong_left = 0, wrong_right = 0;
-        for (const ContactPoint<2> &point : strips.interface->points())
+        for (const ContactPoint<2> &point : points_of_slave(*strips.interface))
           {
             const bool wrong =
               inside(point) != (point.status.kind == Status::slip);

@@ -465,6 +465,19 @@ namespace Tests
 
 
 
+  /// The points of the slave, without corners of the master.
+  inline std::vector<ContactPoint<2>>
+  points_of_slave(const ContactInterface<2> &interface)
+  {
+    std::vector<ContactPoint<2>> points;
+    for (const ContactPoint<2> &point : interface.points())
+      if (!point.is_master_corner)
+        points.push_back(point);
+    return points;
+  }
+
+
+
   /// The points that act: without those of slave nodes that a corner of the
   /// master stands for, and without corners that follow from others.
   inline std::vector<ContactPoint<2>>

@@ -41,7 +41,7 @@ namespace
     model.pair();
     std::cout << "  " << name << ':';
     unsigned int n_void = 0;
-    for (const ContactPoint<2> &point : model.interface.points())
+    for (const ContactPoint<2> &point : points_of_slave(model.interface))
       if (point.tangential_row_is_void)
         {
           const auto &edge =
@@ -56,8 +56,8 @@ namespace
           std::cout << " (" << X << ')';
           ++n_void;
         }
-    std::cout << ' ' << n_void << " of " << model.interface.points().size()
-              << std::endl;
+    std::cout << ' ' << n_void << " of "
+              << points_of_slave(model.interface).size() << std::endl;
   }
 
 
@@ -90,7 +90,7 @@ namespace
     check("converges", model.solve(1, true) > 0);
     bool   slips_without_direction = true;
     double multiplier = 0, largest = 0;
-    for (const ContactPoint<2> &point : model.interface.points())
+    for (const ContactPoint<2> &point : points_of_slave(model.interface))
       {
         const double lambda_t =
           model.interface.state(point, model.solution, model.start).lambda_t[0];

@@ -95,6 +95,8 @@ namespace
     for (const auto &contact_pair : interface.pairs)
       {
         n_points += interface.points_of(*contact_pair).size();
+        if (!contact_pair->law.is_frictionless())
+          n_tangential += interface.corners_of_master(*contact_pair).size();
         for (const unsigned int k : contact_pair->multipliers.of_node)
           {
             normal =
@@ -117,7 +119,7 @@ namespace
               interface.n_normal_multipliers() + n_tangential &&
             n_points == interface.points().size());
     check("all points are in contact",
-          interface.count().active == interface.points().size());
+          interface.count().active == points_that_act(interface).size());
   }
 } // namespace
 
