@@ -159,9 +159,9 @@ def damages():
 
 def profiles():
     scene = kinds_sides.tray(random.Random(1), 1)
-    scene.zones[0].mu = 0.1
-    rows = ["slave,1,0", "slave,2,0.2"]
-    for shear, wanted in ((0.2, 0), (0.3, 1)):
+    for rule, mu, shear, wanted in (("mortar", 0.1, 0.2, 0), ("mortar", 0.1, 0.3, 1),
+                                    ("Gauss", 0.1, 0.3, 0), ("Gauss", 0, 0.3, 1)):
+        scene.rule, scene.zones[0].mu = rule, mu
         with tempfile.TemporaryDirectory() as place:
             out = pathlib.Path(place) / "output" / "case"
             out.mkdir(parents=True)
@@ -170,7 +170,7 @@ def profiles():
                 "surface,pressure_MPa,shear_MPa\nslave,2,%g\n" % shear)
             found = sides_check.shears(scene, None, None, Run(
                 0, "", 0, pathlib.Path(place)))
-        expect("a shear of %.2f at a pressure of 2, mu 0.1" % shear,
+        expect("a shear of %.2f at a pressure of 2, mu %g, %s" % (shear, mu, rule),
                len(found) == wanted)
 
 
