@@ -201,19 +201,36 @@ namespace Contact
 
 
 
-    /// The weighted place of some nodes of a point.
+    /// The place of a node of a point.
     template<int dim>
     Tensor<1, dim> place(const ContactPoint<dim> &point,
-                         const unsigned int       begin,
-                         const unsigned int       end,
+                         const unsigned int       a,
                          const GhostedVector     &u)
     {
+      Tensor<1, dim> x;
+      for (unsigned int i = 0; i < dim; ++i)
+        x[i] = point.X(a)[i] + u[point.dofs(a)[i]];
+      return x;
+    }
+
+
+
+    /// The middle of the nodes of the other body that a point faces, weighted
+    /// by their part in it or alike.
+    template<int dim>
+    Tensor<1, dim> opposite(const ContactPoint<dim> &point,
+                            const GhostedVector     &u,
+                            const bool               is_weighted)
+    {
       Tensor<1, dim> sum;
-      for (unsigned int a = begin; a < end; ++a)
-        for (unsigned int i = 0; i < dim; ++i)
-          sum[i] +=
-            std::abs(point.C[a]) * (point.X(a)[i] + u[point.dofs(a)[i]]);
-      return sum;
+      double         weight = 0;
+      for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
+        {
+          const double part = is_weighted ? std::abs(point.C[a]) : 1;
+          sum += part * place(point, a, u);
+          weight += part;
+        }
+      return sum / weight;
     }
   } // namespace
 
@@ -226,9 +243,7 @@ namespace Contact
     const auto gap = [&](const ContactPoint<dim> &point) {
       double sum = -(point.normal * Tensor<1, dim>(point.projection));
       for (unsigned int a = 0; a < point.n_nodes; ++a)
-        for (unsigned int i = 0; i < dim; ++i)
-          sum += point.normal[i] * point.C[a] *
-                 (point.X(a)[i] + u[point.dofs(a)[i]]);
+        sum += point.C[a] * (point.normal * place(point, a, u));
       return sum;
     };
     const auto is_candidate = [&](const ContactPoint<dim> &point) {
@@ -240,11 +255,9 @@ namespace Contact
     // seen from the node, against the normal of the other body.
     const auto is_behind = [&](const ContactPoint<dim> &a,
                                const ContactPoint<dim> &b) {
-      const ContactPair<dim> &of_a = *(*pairs)[a.contact_pair];
-      const Tensor<1, dim>    foot = place(b, b.n_slave_nodes, b.n_nodes, u),
-                           own     = place(b, 0, 1, u) / std::abs(b.C[0]);
-      return (middle(*of_a.master, a.master_facet, u) - foot) * b.normal < 0 &&
-             (middle(of_a.slave, a.slave_facet, u) - own) * b.normal > 0;
+      const Surface<dim> &own = (*pairs)[a.contact_pair]->slave;
+      return (opposite(a, u, false) - opposite(b, u, true)) * b.normal < 0 &&
+             (middle(own, a.slave_facet, u) - place(b, 0, u)) * b.normal > 0;
     };
     for (const auto &of_node : at_nodes)
       for (const unsigned int q : of_node)
