@@ -117,10 +117,10 @@ namespace Contact
         const double bound =
           moving_bound ? interface.contact_pair(point).law.bound(now.p_trial)
                        : point.friction_bound;
-        // Stiffer than a hundred facets multigrid would not converge. A sliver
+        // Stiffer than a thousand facets multigrid would not converge. A sliver
         // of a facet has less weight.
         const double length  = interface.contact_pair(point).edge_length(point);
-        const double largest = 100 * length * length / point.weight;
+        const double largest = 1000 * length * length / point.weight;
         const double beta    = std::min(bound / size, 1.);
 
         const Tensor<1, 2> &d      = point.status.direction();

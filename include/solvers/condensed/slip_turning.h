@@ -21,7 +21,7 @@ namespace Contact
    * across d, Newton's method for q = lambda has the multiplier of the next
    * step lambda_new = b d - beta/(1 - beta) a a.(lambda + c ds), ds the change
    * of the slip: a load, and a stiffness across d, k = w c beta/(1 - beta),
-   * which is symmetric and never negative, at most a hundred times c and the
+   * which is symmetric and never negative, at most a thousand times c and the
    * square of a facet's length. At the solution k = w b/|s|, the derivative of
    * the exact law. In the plane there is nothing to turn.
    *
