@@ -452,7 +452,7 @@ namespace Contact
   bool ContactInterface<dim>::is_held_by_others(const unsigned int point,
                                                 const StatusOf &status_of) const
   {
-    return status_of(point).kind == Status::stick &&
+    return status_of(point).kind != Status::open &&
            frames.held_slips(all_points, point, status_of).size() == dim - 1;
   }
 } // namespace Contact
