@@ -15,6 +15,7 @@ import motion_check
 import motions
 import results
 import rigid_check
+import sides
 import surfaces
 from zone_check import Problem
 
@@ -343,8 +344,12 @@ def check_profile(scene, model, state, run):
         if rule == "Gauss" or rule == "mortar" and left_out.any():
             continue
         ours = np.hypot(*state.residual[nodes].T)
-        forces = forces_said(said.get(("slave " + zone.name).strip(), []),
-                             model.X[nodes], 1e-8 * scene.size)
+        forces, is_normal = forces_said(
+            said.get(("slave " + zone.name).strip(), []), model.X[nodes],
+            1e-8 * scene.size)
+        along = np.einsum("ni,ni->n", state.residual[nodes],
+                          mean_normals(model.lines[zone.slave], state.x, nodes))
+        ours = np.where(is_normal, np.abs(along), ours)
         theirs = np.hypot(*forces.T)
         allowed = (EQUILIBRIUM * state.scale + 10 *
                    state.error[nodes].max(1))
@@ -364,15 +369,27 @@ def check_profile(scene, model, state, run):
 
 
 def forces_said(rows, X, resolution):
-    """By nodes: the normal and the tangential force in the profile."""
+    """By nodes: the normal and the tangential force in the profile, and whether
+    it has the normal one alone: beside a force without a pressure, as of a corner
+    of the master at the far node of its edge, no shear is said."""
     tree = cKDTree(X)
     forces = np.zeros((len(X), 2))
+    is_normal = np.zeros(len(X), bool)
     for row in rows:
         distance, k = tree.query((row["X_mm"], row["Y_mm"]))
         p, q = row["pressure_MPa"], row["shear_MPa"]
-        if distance <= resolution and p:
-            forces[k] = row["nodal_force_N_per_mm"] * np.array([1, q / p])
-    return forces
+        force = row["nodal_force_N_per_mm"]
+        if distance <= resolution and (p or force):
+            forces[k] = force * np.array([1, q / p if p else 0])
+            is_normal[k] = not p
+    return forces, is_normal
+
+
+def mean_normals(lines, x, nodes):
+    """Of the straight lines between the vertices around each node."""
+    normals = sides.normals_of(x, lines[:, :2])
+    mean = np.array([normals[(lines == n).any(1)].sum(0) for n in nodes])
+    return mean / np.linalg.norm(mean, axis=1)[:, None]
 
 
 def is_straight(model, group, state):

@@ -55,6 +55,7 @@ class Side:
         self.places = places_of(model, self.facets, x)
         self.normals = sides.normals_of(x, corners_of(self.facets))
         self.turn = sides.turn_of(model.X, corners_of(self.facets))
+        self.corners = x[self.corner_nodes(model.X)]
         as_master = copy.copy(zone)
         as_master.master = group
         module = surfaces if model.dim == 2 else space_surfaces
@@ -65,6 +66,25 @@ class Side:
         edges = np.ptp(x[corners_of(self.facets)], axis=1)
         # Chords of a round surface.
         self.sagitta = self.turn * np.linalg.norm(edges, axis=1).max() / 4
+
+    def corner_nodes(self, X):
+        """Where the surface as drawn ends, or turns as at an edge."""
+        vertices = corners_of(self.facets)
+        normals = sides.normals_of(X, vertices)
+        found = []
+        for node in np.unique(vertices):
+            of_node = normals[(vertices == node).any(1)]
+            if len(of_node) == 1 or (of_node @ of_node.T).min() < (
+                    np.cos(sides.EDGE)):
+                found.append(node)
+        return np.array(found, int)
+
+    def distances_of_corners(self, other):
+        """From each of our facets to the closest corner of the other side."""
+        if not len(other.corners):
+            return np.full(len(self.facets), np.inf)
+        return np.array([self.kind(facet[None], self.x).closest(
+            other.corners)[0].min() for facet in self.facets])
 
     def distances(self, other):
         """Of places of the other side, the least by its facets, from each of
@@ -122,9 +142,12 @@ class SidesCheck:
     def take_together(self):
         """What acts on a part of a facet goes to all of its nodes, with the
         signs of shape functions and of dual ones: the nodes of facets that
-        touch in part are judged by their sum."""
+        touch in part, or hold a corner of the master, are judged by their
+        sum."""
         reach = APART * self.slack + self.sagitta
-        partly = self.touch.any(1) & (self.gaps > reach).any(1)
+        partly = self.touch.any(1) & (
+            (self.gaps > reach).any(1) |
+            (self.slave.distances_of_corners(self.master) <= reach))
         for nodes in connected(self.slave.facets[partly]):
             together = np.isin(self.nodes, list(nodes))
             around = np.flatnonzero(np.isin(self.slave.facets,
