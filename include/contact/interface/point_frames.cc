@@ -215,22 +215,47 @@ namespace Contact
 
 
 
-    /// The middle of the nodes of the other body that a point faces, weighted
-    /// by their part in it or alike.
+    /// The middle of the nodes of the other body by their part in a point.
     template<int dim>
-    Tensor<1, dim> opposite(const ContactPoint<dim> &point,
-                            const GhostedVector     &u,
-                            const bool               is_weighted)
+    Tensor<1, dim> foot(const ContactPoint<dim> &point, const GhostedVector &u)
     {
       Tensor<1, dim> sum;
       double         weight = 0;
       for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
         {
-          const double part = is_weighted ? std::abs(point.C[a]) : 1;
-          sum += part * place(point, a, u);
-          weight += part;
+          sum += std::abs(point.C[a]) * place(point, a, u);
+          weight += std::abs(point.C[a]);
         }
       return sum / weight;
+    }
+
+
+
+    /// The facet of the other body that a point faces, by all rules: around the
+    /// node with the largest part in it, that which is most opposite.
+    template<int dim>
+    unsigned int facet_opposite(const ContactPoint<dim> &point,
+                                const Surface<dim>      &other,
+                                const GhostedVector     &u)
+    {
+      unsigned int most = point.n_slave_nodes;
+      for (unsigned int a = most; a < point.n_nodes; ++a)
+        if (std::abs(point.C[a]) > std::abs(point.C[most]))
+          most = a;
+      const unsigned int node  = point.nodes[most] - other.nodes.data();
+      const auto         along = [&](const unsigned int facet) {
+        PerFacetNode<dim, Point<dim>> x;
+        for (unsigned int b = 0; b < other.n_nodes_per_facet(); ++b)
+          x[b] = other.position(other.facets[facet].nodes[b], u);
+        return point.normal *
+               facet_normal<dim>(other.degree, x, FacetPoint<dim>());
+      };
+      const auto &around = other.facets_of_node[node];
+      return *std::max_element(around.begin(),
+                               around.end(),
+                               [&](const auto a, const auto b) {
+                                 return along(a) < along(b);
+                               });
     }
   } // namespace
 
@@ -255,9 +280,12 @@ namespace Contact
     // seen from the node, against the normal of the other body.
     const auto is_behind = [&](const ContactPoint<dim> &a,
                                const ContactPoint<dim> &b) {
-      const Surface<dim> &own = (*pairs)[a.contact_pair]->slave;
-      return (opposite(a, u, false) - opposite(b, u, true)) * b.normal < 0 &&
-             (middle(own, a.slave_facet, u) - place(b, 0, u)) * b.normal > 0;
+      const ContactPair<dim> &of_a     = *(*pairs)[a.contact_pair];
+      const unsigned int      opposite = facet_opposite(a, *of_a.master, u);
+      return (middle(*of_a.master, opposite, u) - foot(b, u)) * b.normal < 0 &&
+             (middle(of_a.slave, a.slave_facet, u) - place(b, 0, u)) *
+                 b.normal >
+               0;
     };
     for (const auto &of_node : at_nodes)
       for (const unsigned int q : of_node)
