@@ -368,8 +368,8 @@ namespace Contact
     /// move it along a tangent, a point in contact slips.
     bool can_stick(const ContactPoint<dim> &point) const;
 
-    /// Whether a point sticks although the normals of other points in contact
-    /// hold its node already in all directions, see PointFrames: its tangential
+    /// Whether the normals of other points in contact hold the node of a point
+    /// in contact already in all directions, see PointFrames: its tangential
     /// conditions are redundant. @p status_of gives the status of a point by
     /// its number.
     template<typename StatusOf>
