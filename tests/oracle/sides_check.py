@@ -80,8 +80,9 @@ class Side:
         return np.array(found, int)
 
     def distances_of_corners(self, other):
-        """From each of our facets to the closest corner of the other side."""
-        if not len(other.corners):
+        """From each of our facets to the closest corner of the other side; in
+        space none has a force of its own."""
+        if self.x.shape[1] == 3 or not len(other.corners):
             return np.full(len(self.facets), np.inf)
         return np.array([self.kind(facet[None], self.x).closest(
             other.corners)[0].min() for facet in self.facets])
