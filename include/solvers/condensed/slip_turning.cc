@@ -117,8 +117,9 @@ namespace Contact
         const double bound =
           moving_bound ? interface.contact_pair(point).law.bound(now.p_trial)
                        : point.friction_bound;
-        // Stiffer than a thousand facets multigrid would not converge. A sliver
-        // of a facet has less weight.
+        // The exact stiffness of a point that hardly slips is without bound:
+        // multigrid takes more iterations then, and active sets find no end. A
+        // sliver of a facet has less weight.
         const double length  = interface.contact_pair(point).edge_length(point);
         const double largest = 1000 * length * length / point.weight;
         const double beta    = std::min(bound / size, 1.);
