@@ -229,34 +229,6 @@ namespace Contact
       return sum / weight;
     }
 
-
-
-    /// The facet of the other body that a point faces, by all rules: around the
-    /// node with the largest part in it, that which is most opposite.
-    template<int dim>
-    unsigned int facet_opposite(const ContactPoint<dim> &point,
-                                const Surface<dim>      &other,
-                                const GhostedVector     &u)
-    {
-      unsigned int most = point.n_slave_nodes;
-      for (unsigned int a = most; a < point.n_nodes; ++a)
-        if (std::abs(point.C[a]) > std::abs(point.C[most]))
-          most = a;
-      const unsigned int node  = point.nodes[most] - other.nodes.data();
-      const auto         along = [&](const unsigned int facet) {
-        PerFacetNode<dim, Point<dim>> x;
-        for (unsigned int b = 0; b < other.n_nodes_per_facet(); ++b)
-          x[b] = other.position(other.facets[facet].nodes[b], u);
-        return point.normal *
-               facet_normal<dim>(other.degree, x, FacetPoint<dim>());
-      };
-      const auto &around = other.facets_of_node[node];
-      return *std::max_element(around.begin(),
-                               around.end(),
-                               [&](const auto a, const auto b) {
-                                 return along(a) < along(b);
-                               });
-    }
   } // namespace
 
 
@@ -280,9 +252,9 @@ namespace Contact
     // seen from the node, against the normal of the other body.
     const auto is_behind = [&](const ContactPoint<dim> &a,
                                const ContactPoint<dim> &b) {
-      const ContactPair<dim> &of_a     = *(*pairs)[a.contact_pair];
-      const unsigned int      opposite = facet_opposite(a, *of_a.master, u);
-      return (middle(*of_a.master, opposite, u) - foot(b, u)) * b.normal < 0 &&
+      const ContactPair<dim> &of_a = *(*pairs)[a.contact_pair];
+      return (middle(*of_a.master, a.master_facet, u) - foot(b, u)) * b.normal <
+               0 &&
              (middle(of_a.slave, a.slave_facet, u) - place(b, 0, u)) *
                  b.normal >
                0;

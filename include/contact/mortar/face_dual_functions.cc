@@ -30,15 +30,19 @@ namespace Contact
 
 
   // Functions that vanish on what faces the master have no part in it. A node
-  // that the master covers much less of than of another one would have a gap
-  // extrapolated to where no master is, on a strip the slope of the gap: it
-  // leaves its function to others. What is much less is between a half and a
-  // quarter, as of a rim and of a corner of the master that are on the node.
+  // leaves its function to others where its gap would be extrapolated to where
+  // no master is, on a strip the slope of the gap: where the master covers much
+  // less of it than of another one, or where the two are nearly multiples of
+  // each other on what is covered, as where a corner of the master is in the
+  // middle of the facet. What is much less is between a half and a quarter, as
+  // of a rim and of a corner of the master that are on the node.
   void FacetDualFunctions::find_carriers(const std::vector<double> &integrals,
+                                         const FullMatrix<double>  &differences,
                                          const Carriers            &carries)
   {
     const double        much_less = 0.4, round_off = 1e-12;
-    std::vector<double> covered(n_nodes, 1.); // but for a common factor
+    const double        of_neighbors = 1. / 3; // on the whole facet
+    std::vector<double> covered(n_nodes, 1.);  // but for a common factor
     double              sum = 0, most = 0;
     for (unsigned int a = 0; a < n_nodes; ++a)
       {
@@ -52,19 +56,31 @@ namespace Contact
         if (!carries[a].empty())
           most = std::max(most, covered[a]);
       }
-    std::vector<unsigned int> others, with_carriers;
+    std::vector<unsigned int> by_size, others, with_carriers;
     for (unsigned int a = 0; a < n_nodes; ++a)
       if (integrals[a] > round_off * sum)
-        {
-          const bool leaves =
-            carries[a].empty() || covered[a] < much_less * most;
-          (leaves ? others : with_carriers).push_back(a);
-          for (const auto &carrier : carries[a])
-            if (!leaves &&
-                std::count(carriers.begin(), carriers.end(), carrier.first) ==
-                  0)
-              carriers.push_back(carrier.first);
-        }
+        by_size.push_back(a);
+    std::stable_sort(by_size.begin(),
+                     by_size.end(),
+                     [&](const unsigned int a, const unsigned int b) {
+                       return covered[a] > covered[b];
+                     });
+    for (const unsigned int a : by_size)
+      {
+        const bool leaves =
+          carries[a].empty() || covered[a] < much_less * most ||
+          std::any_of(with_carriers.begin(),
+                      with_carriers.end(),
+                      [&](const unsigned int b) {
+                        return differences(a, b) < much_less * of_neighbors;
+                      });
+        (leaves ? others : with_carriers).push_back(a);
+      }
+    std::sort(with_carriers.begin(), with_carriers.end());
+    for (const unsigned int a : with_carriers)
+      for (const auto &carrier : carries[a])
+        if (std::count(carriers.begin(), carriers.end(), carrier.first) == 0)
+          carriers.push_back(carrier.first);
 
     dual_to_shapes =
       !piecewise && others.empty() &&

@@ -46,10 +46,11 @@ namespace Contact
    * piecewise bilinear functions of the nine nodes. A hanging node leaves its
    * function to its heirs, of which one may be beyond the facet; and a node
    * without a multiplier, or that the master covers much less of than of
-   * others, to the nearest ones that keep theirs: the M_j still sum up to one,
-   * and have positive integrals. Where a hanging node alone keeps its function,
-   * its heirs have multiples of one M_j: with a pseudo-inverse of G they have
-   * the same multiples of one Phi_k, which sum up to one as well.
+   * others, or whose function is there nearly a multiple of another one, to the
+   * nearest ones that keep theirs: the M_j still sum up to one, and have
+   * positive integrals. Where a hanging node alone keeps its function, its
+   * heirs have multiples of one M_j: with a pseudo-inverse of G they have the
+   * same multiples of one Phi_k, which sum up to one as well.
    */
   class FacetDualFunctions
   {
@@ -107,7 +108,11 @@ namespace Contact
     /// The M_j before nodes without a multiplier left theirs, by node.
     FacetShape<3>::Values functions(const FacetSample &sample) const;
 
+    /// The @p integrals of the functions, and how much two of them differ on
+    /// what is covered: 1 if they have no place in common, 0 if they are
+    /// multiples of each other.
     void find_carriers(const std::vector<double> &integrals,
+                       const FullMatrix<double>  &differences,
                        const Carriers            &carries);
 
     /// G becomes its inverse; where the M_j depend on each other, a
@@ -150,7 +155,24 @@ namespace Contact
     piecewise = degree == 2 && partly;
     if (piecewise)
       of_functions = integrals();
-    find_carriers(of_functions, carries);
+    const auto difference = [&](const unsigned int a, const unsigned int b) {
+      double common = 0;
+      for (const FacetSample &sample : samples)
+        {
+          const auto   values = functions(sample);
+          const double sum    = values[a] + values[b];
+          if (sum > 0)
+            common += sample.weight * values[a] * values[b] / sum;
+        }
+      return common > 0
+               ? 1 - common * (1 / of_functions[a] + 1 / of_functions[b])
+               : 1;
+    };
+    FullMatrix<double> differences(n_nodes, n_nodes);
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int b = 0; b < a; ++b)
+        differences(a, b) = differences(b, a) = partly ? difference(a, b) : 1;
+    find_carriers(of_functions, differences, carries);
 
     const unsigned int n = carriers.size();
     if (n == 0)

@@ -379,16 +379,21 @@ namespace Contact
     std::vector<Tensor<1, 3>> normals(carriers.size());
     std::vector<double>       bends(carriers.size(), 0.);
     for (const Segment &segment : segments)
-      for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
-        {
-          const unsigned int m = segment.master_facet;
+      {
+        const unsigned int  m = segment.master_facet;
+        std::vector<double> parts(carriers.size(), 0.);
+        for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
           for (unsigned int j = 0; j < carriers.size(); ++j)
             {
               const double value = segment.rows[j][b];
+              parts[j] += value;
               normals[j] += value * now.master_normals[m][b];
               bends[j] += value * master_bends[master.facets[m].nodes[b]];
             }
-        }
+        for (unsigned int k = 0; k < carriers.size(); ++k)
+          for (unsigned int j = 0; j < carriers.size(); ++j)
+            carriers[k]->master_facets[m] += A(k, j) * parts[j];
+      }
     for (unsigned int k = 0; k < carriers.size(); ++k)
       for (unsigned int j = 0; j < carriers.size(); ++j)
         {

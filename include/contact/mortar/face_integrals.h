@@ -42,8 +42,9 @@ namespace Contact
       double           weight = 0; // D_k [mm^2]
       Tensor<1, 3>     master_normal;
       double           master_bend = 0;
-      ByNode<double>   slave;  // of the coefficients
-      ByNode<OfMaster> master; // of the coefficients
+      ByNode<double>   slave;         // of the coefficients
+      ByNode<OfMaster> master;        // of the coefficients
+      ByNode<double>   master_facets; // its part over each [mm^2]
 
       /// Of the surfaces from each other, by facet.
       std::vector<const std::vector<Tensor<1, 3>> *> distances;

@@ -300,7 +300,13 @@ namespace Contact
         return;
       }
 
-    point.weight = integrals.weight;
+    point.weight       = integrals.weight;
+    point.master_facet = std::max_element(integrals.master_facets.begin(),
+                                          integrals.master_facets.end(),
+                                          [](const auto &a, const auto &b) {
+                                            return a.second < b.second;
+                                          })
+                           ->first;
     add_nodes(integrals, node, point);
     point.projection = bulge(integrals);
     make_symmetric(point, discretization, u, 1e-6 * length);

@@ -119,6 +119,7 @@ namespace Contact
       };
       exchange_all(point.weight,
                    point.facing,
+                   point.master_facet,
                    point.n_slave_nodes,
                    point.n_nodes,
                    point.normal,
