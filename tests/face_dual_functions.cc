@@ -8,6 +8,8 @@
 // functions and positive, none is larger than the facet allows; where the node
 // has a multiplier of its own, where it hangs between two nodes of which one is
 // beyond the facet, and where both are: then both test functions are the same.
+// The same over a small part in the middle of the facet, which leaves one
+// function, and over a strip across its middle, which leaves one at either end.
 
 #include "contact/mortar/face_dual_functions.h"
 
@@ -20,9 +22,13 @@ using namespace Contact;
 
 namespace
 {
-  const double size = 0.4; // of the part that faces the master
+  /// The part that faces the master, in the coordinates of the facet.
+  struct Part
+  {
+    Point<2> from, to;
+  };
 
-  std::vector<FacetSample> corner()
+  std::vector<FacetSample> samples_of(const Part &part)
   {
     std::vector<FacetSample> samples;
     const QGauss<2>          rule(3);
@@ -30,10 +36,13 @@ namespace
       {
         FacetSample sample;
         for (unsigned int i = 0; i < 2; ++i)
-          sample.slave_xi[i] = 1 - 2 * size * rule.point(q)[i];
+          sample.slave_xi[i] =
+            part.from[i] + (part.to[i] - part.from[i]) * rule.point(q)[i];
 
         sample.slave_values = FacetShape<3>::values(1, sample.slave_xi);
-        sample.weight       = size * size * rule.weight(q);
+        sample.weight       = rule.weight(q);
+        for (unsigned int i = 0; i < 2; ++i)
+          sample.weight *= (part.to[i] - part.from[i]) / 2;
         samples.push_back(sample);
       }
     return samples;
@@ -41,13 +50,15 @@ namespace
 
 
 
-  void check(const std::string &name, const std::vector<Surface<3>::Part> &last)
+  void check(const std::string                   &name,
+             const Part                          &part,
+             const std::vector<Surface<3>::Part> &last)
   {
     FacetDualFunctions::Carriers carries;
     for (unsigned int a = 0; a < 3; ++a)
       carries[a] = {{a, 1.}};
     carries[3]                       = last;
-    const auto               samples = corner();
+    const auto               samples = samples_of(part);
     const FacetDualFunctions dual(1, samples, {.25, .25, .25, .25}, carries);
 
     const unsigned int n = dual.nodes().size();
@@ -66,7 +77,9 @@ namespace
           }
         sum_error = std::max(sum_error, std::abs(sum - 1));
       }
-    double error = 0, area = 0, smallest = 1;
+    double error = 0, area = 0, smallest = 1, whole = 0;
+    for (const FacetSample &sample : samples)
+      whole += sample.weight;
     for (unsigned int k = 0; k < n; ++k)
       {
         error    = std::max({error,
@@ -76,7 +89,7 @@ namespace
         area += integrals[k];
       }
     const bool ok = sum_error < 1e-13 && error < 1e-14 && smallest > 0 &&
-                    std::abs(area - size * size) < 1e-14 && largest < 10;
+                    std::abs(area - whole) < 1e-14 && largest < 10;
     std::cout << name << ": " << n << " functions, " << (ok ? "ok" : "FAILED")
               << std::endl;
   }
@@ -86,9 +99,12 @@ namespace
 
 int main()
 {
-  check("a multiplier of its own", {{3, 1.}});
-  check("hanging, one heir is on the facet", {{1, .5}, {7, .5}});
-  check("hanging, both heirs are beyond the facet", {{7, .5}, {9, .5}});
-  check("hanging, unequal parts", {{7, .75}, {9, .25}});
+  const Part corner{{0.2, 0.2}, {1, 1}};
+  check("a multiplier of its own", corner, {{3, 1.}});
+  check("hanging, one heir is on the facet", corner, {{1, .5}, {7, .5}});
+  check("hanging, both heirs are beyond the facet", corner, {{7, .5}, {9, .5}});
+  check("hanging, unequal parts", corner, {{7, .75}, {9, .25}});
+  check("a part in the middle", {{-0.1, -0.1}, {0.2, 0.1}}, {{3, 1.}});
+  check("a strip across the middle", {{-1, -0.1}, {1, 0.2}}, {{3, 1.}});
   return 0;
 }

@@ -305,6 +305,8 @@ namespace
     GhostedVector forces(model.n_dofs());
     for (const ContactPoint<3> &point : model.interface->points())
       {
+        if (!point.facing) // a vertex at the end of the slave
+          continue;
         const ContactState<3> now =
           model.interface->state(point, model.solution, model.start);
         const Tensor<1, 3> traction =
@@ -350,9 +352,14 @@ namespace
     GhostedVector u = linear_field(model, random);
     std::copy(u.begin(), u.end(), model.solution.begin());
     model.interface->pair(model.solution);
-    auto points = model.interface->points();
+    auto         points   = model.interface->points();
+    unsigned int n_facing = 0;
     for (ContactPoint<3> &point : points)
-      point.status = {Status::slip, Tensor<1, 2>({0.6, 0.8})};
+      if (point.facing)
+        {
+          point.status = {Status::slip, Tensor<1, 2>({0.6, 0.8})};
+          ++n_facing;
+        }
     model.interface->set_points(points);
     model.interface->pair(model.solution, {/*with_derivatives=*/true, false});
 
@@ -362,7 +369,7 @@ namespace
         value = random(-1, 1);
     const auto terms =
       PairingStiffness<3>::terms(*model.interface, model.solution, model.start);
-    check("of all points", terms.size() == points.size());
+    check("of all points", terms.size() == n_facing && n_facing > 0);
     double difference = 0;
     for (const auto &term : terms)
       {

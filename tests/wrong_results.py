@@ -616,8 +616,8 @@ def concave_corner():
 
 
 def too_coarse():
-    """A small block on a plate with one node below it: its corners go down
-    between the nodes, with most of the way that it is pressed by: a violation."""
+    """A small block on a plate with one node below it: the corners of its sole have
+    points, the edges between them go down between the nodes: a violation."""
     mesh = Volumes()
     mesh.block("Low", (4, 4, 3),
                lambda r, s, t: (6 * r - 3, 6 * s - 3, 3 * t - 3))
@@ -637,14 +637,14 @@ def too_coarse():
         what = f"{rule}, refined {refinements} times"
         check(what + (": a violated invariant" if noted else ": converges"),
               status == noted and noted == ("violated: depth" in said and
-                                            "refine the slave" in said and
+                                            "refine the mesh" in said and
                                             "off by a factor" in said),
               said[-500:])
         forces[rule, refinements] = summary["increments"][-1][
             "reactions"]["Low_z0"]["z"]
     check("  refined it is right, unrefined it is not",
           abs(forces["nodal", 1] / forces["mortar", 0] - 1) < 0.2 and
-          forces["nodal", 0] < 0.3 * forces["mortar", 0], str(forces))
+          forces["nodal", 0] < 0.5 * forces["mortar", 0], str(forces))
 
 
 def roles():

@@ -247,10 +247,19 @@ namespace Contact
   bool
   ContactCheck<dim>::carries_force(const ContactPair<dim> &contact_pair) const
   {
+    const auto body = [](const Surface<dim> &surface) {
+      return surface.facets[0].body;
+    };
+    const auto is_of_these = [&](const ContactPair<dim> &other) {
+      return &other == &contact_pair ||
+             (other.master && contact_pair.master &&
+              body(other.slave) == body(contact_pair.slave) &&
+              body(*other.master) == body(*contact_pair.master));
+    };
     const auto &points = interface.points();
     return std::any_of(points.begin(), points.end(), [&](const auto &point) {
-      return &interface.contact_pair(point) == &contact_pair &&
-             point.status.kind != Status::open;
+      return point.status.kind != Status::open &&
+             is_of_these(interface.contact_pair(point));
     });
   }
 

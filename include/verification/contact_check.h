@@ -176,7 +176,8 @@ namespace Contact
     double moment_of_discretization(const ContactPair<dim> &contact_pair) const;
     Point<dim> position(const SurfaceNode<dim> &node) const;
 
-    /// Whether any node of the slave is pushed.
+    /// Whether any node of the slave is pushed, or of another side of the same
+    /// body by the same other one.
     bool carries_force(const ContactPair<dim> &contact_pair) const;
     /// Whether a node of a slave edge is pushed.
     bool carries_force(const ContactPair<dim> &contact_pair,

@@ -32,12 +32,16 @@ def response(scene, run):
     return found
 
 
-def distance(one, other):
+def distance(scene, one, other):
     """Of two responses, at the load factors of both, each relative to the most
-    of all times."""
+    of all times, or to round-off where bodies have come apart again."""
+    round_off = 1e-9
+    young = max(modulus for modulus, _ in scene.materials.values())
     common = set(one) & set(other)
-    size, largest = (max([r[k] for r in one.values()] + [1e-300])
-                     for k in (1, 3))
+    size, largest = (
+        max([r[k] for r in one.values()] + [round_off * least])
+        for k, least in ((1, young * scene.size ** (len(scene.axes) - 1)),
+                         (3, scene.size)))
     return max([0.0] + [max(
         np.linalg.norm(one[t][0] - other[t][0]) / size,
         np.linalg.norm(one[t][2] - other[t][2]) / largest) for t in common])
@@ -69,7 +73,8 @@ def compare(scene, base, binary, directory):
                 return "differs", "sides: exit status %d: %s" % (
                     run.status, run.message)
             continue
-        off = distance(response(scene, base), response(scene, run))
+        off = distance(scene, response(scene, base),
+                       response(scene, run))
         if off > allowed:
             return ("wrong" if off > ROLES else "differs"), (
                 "%s: %.2g of the forces off" % (name, off))

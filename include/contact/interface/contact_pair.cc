@@ -212,10 +212,13 @@ namespace Contact
 
 
 
+  // In space a vertex within a facet is held by all nodes of that, also by those
+  // where no master is: mortars, which see it in the mean, have none.
   template<int dim>
   bool ContactPair<dim>::can_have_corner_points() const
   {
-    return master && !tied && has_point_per_multiplier();
+    const bool sees_vertices = dim == 3 && is_mortar();
+    return master && !tied && has_point_per_multiplier() && !sees_vertices;
   }
 
 

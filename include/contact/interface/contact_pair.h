@@ -203,7 +203,8 @@ namespace Contact
                   const GhostedVector                &u,
                   const PairingMode                  &mode) const;
     bool pair_corners(const ArrayView<ContactPoint<dim>> &corners,
-                      const GhostedVector                &u) const;
+                      const GhostedVector                &u,
+                      const PairingMode                  &mode) const;
 
     const Elasticity<dim>    &elasticity;
     const Parameters::Contact parameters;
@@ -217,12 +218,6 @@ namespace Contact
     unsigned int first_multiplier = 0;
   };
 
-  template<>
-  bool ContactPair<2>::pair_corners(const ArrayView<ContactPoint<2>> &corners,
-                                    const GhostedVector              &u) const;
-  template<>
-  bool ContactPair<3>::pair_corners(const ArrayView<ContactPoint<3>> &corners,
-                                    const GhostedVector              &u) const;
   template<>
   void ContactPair<2>::differentiate(ContactPoint<2>     &point,
                                      const GhostedVector &u,

@@ -63,7 +63,7 @@ namespace Contact
       changed =
         project(part(n_of_discretization, n_of_slave), u, mode) || changed;
     if (has_corner_points())
-      changed = pair_corners(part(n_of_slave, n_points), u) || changed;
+      changed = pair_corners(part(n_of_slave, n_points), u, mode) || changed;
 
     // A nodal point looks from its own place, where the corner is.
     for (unsigned int q = n_of_slave; q < n_points; ++q)
@@ -78,27 +78,22 @@ namespace Contact
 
 
 
-  template<>
-  bool ContactPair<2>::pair_corners(const ArrayView<ContactPoint<2>> &corners,
-                                    const GhostedVector              &u) const
+  template<int dim>
+  bool
+  ContactPair<dim>::pair_corners(const ArrayView<ContactPoint<dim>> &corners,
+                                 const GhostedVector                &u,
+                                 const PairingMode                  &mode) const
   {
-    std::vector<ContactPoint<2>> old(corners.begin(), corners.end());
+    std::vector<ContactPoint<dim>> old(corners.begin(), corners.end());
     pair_corner_points(corners, {*master, u}, {slave, u}, discretization, u);
+    for (ContactPoint<dim> &corner : corners)
+      differentiate(corner, u, mode);
     return !std::equal(corners.begin(),
                        corners.end(),
                        old.begin(),
                        [](const auto &a, const auto &b) {
                          return a.nodes == b.nodes;
                        });
-  }
-
-
-
-  template<>
-  bool ContactPair<3>::pair_corners(const ArrayView<ContactPoint<3>> &,
-                                    const GhostedVector &) const
-  {
-    return false;
   }
 
 
@@ -193,7 +188,7 @@ namespace Contact
     point.change = PairingChange<3>();
     if (!mode.with_derivatives || point.status.kind == Status::open)
       return;
-    point.change = change_of_projection(point, *master, u);
+    point.change = change_of_projection(point, *surface_opposite(point), u);
     if (!discretization.dof_handler.locally_owned_dofs().is_element(
           point.dofs(0)[0]))
       {

@@ -113,11 +113,11 @@ namespace Contact
 
     // Values are interpolated; a status is that of the nearer point, but that
     // the end of the contact is looked for between the points.
-    void restore_pair(const SurfaceState<2>        &state,
-                      const ContactPair<2>         &contact_pair,
-                      const ContactInterface<2>    &interface,
-                      std::vector<ContactPoint<2>> &points,
-                      GhostedVector                &solution)
+    void restore_nodes(const SurfaceState<2>        &state,
+                       const ContactPair<2>         &contact_pair,
+                       const ContactInterface<2>    &interface,
+                       std::vector<ContactPoint<2>> &points,
+                       GhostedVector                &solution)
     {
       const auto all_places = places(contact_pair.slave);
       for (unsigned int i = 0; i < contact_pair.slave.nodes.size(); ++i)
@@ -194,79 +194,131 @@ namespace Contact
 
 
 
+    void restore_pair(const SurfaceState<2>        &state,
+                      const ContactPair<2>         &contact_pair,
+                      const ContactInterface<2>    &interface,
+                      std::vector<ContactPoint<2>> &points,
+                      GhostedVector                &solution)
+    {
+      restore_nodes(state, contact_pair, interface, points, solution);
+      restore_corners(state, contact_pair, interface, points, solution);
+    }
+
+
+
+    SurfaceState<3>::OfPoint save_point(const ContactInterface<3> &interface,
+                                        const ContactPair<3>      &contact_pair,
+                                        const unsigned int         k,
+                                        const double               weight,
+                                        const GhostedVector       &solution)
+    {
+      const ContactPoint<3> &point = interface.points()[k];
+      Tensor<1, 2>           shear;
+      for (unsigned int t = 0; t < 2 && !contact_pair.law.is_frictionless();
+           ++t)
+        shear[t] = weight * solution[interface.tangential_index(k, t)];
+      return {weight * solution[interface.normal_index(k)],
+              point.along_tangents(shear),
+              point.friction_bound,
+              point.status,
+              point.along_tangents(point.status.direction())};
+    }
+
+
+
+    // Shears and directions of slip are those along other tangents.
+    void restore_point(const SurfaceState<3>::OfPoint &state,
+                       const ContactInterface<3>      &interface,
+                       const ContactPair<3>           &contact_pair,
+                       const unsigned int              k,
+                       const double                    weight,
+                       ContactPoint<3>                &point,
+                       GhostedVector                  &solution)
+    {
+      solution[interface.normal_index(k)] = state.pressure / weight;
+      point.friction_bound                = state.bound;
+      point.status             = point.facing ? state.status : PointStatus<3>();
+      const Tensor<1, 2> shear = point.tangential_part(state.shear) / weight;
+      for (unsigned int t = 0; t < 2 && !contact_pair.law.is_frictionless();
+           ++t)
+        solution[interface.tangential_index(k, t)] = shear[t];
+      if (point.status.has_direction())
+        {
+          const Tensor<1, 2> along =
+            point.tangential_part(state.slip_direction);
+          if (along.norm() > 0)
+            point.status.slip_direction = along / along.norm();
+          else
+            point.status = {Status::stick, {}};
+        }
+    }
+
+
+
     SurfaceState<3> save_pair(const ContactInterface<3> &interface,
                               const ContactPair<3>      &contact_pair,
                               const GhostedVector       &solution)
     {
       SurfaceState<3> state;
       for (unsigned int i = 0; i < contact_pair.slave.nodes.size(); ++i)
+        if (const unsigned int k = contact_pair.multipliers.of_node[i];
+            k != numbers::invalid_unsigned_int)
+          {
+            state.places.push_back(contact_pair.slave.nodes[i].X);
+            state.points.push_back(save_point(interface,
+                                              contact_pair,
+                                              interface.acting_multiplier(k),
+                                              1,
+                                              solution));
+          }
+      for (const ContactPoint<3> &corner :
+           interface.corners_of_master(contact_pair))
         {
-          const unsigned int k = contact_pair.multipliers.of_node[i];
-          if (k == numbers::invalid_unsigned_int)
-            continue;
-          state.place.push_back(contact_pair.slave.nodes[i].X);
-          const unsigned int     acting = interface.acting_multiplier(k);
-          const ContactPoint<3> &point  = interface.points()[acting];
-          state.pressure.push_back(solution[interface.normal_index(acting)]);
-          state.bound.push_back(point.friction_bound);
-          Tensor<1, 2> shear;
-          for (unsigned int t = 0; t < 2 && !contact_pair.law.is_frictionless();
-               ++t)
-            shear[t] = solution[interface.tangential_index(acting, t)];
-          state.shear.push_back(point.along_tangents(shear));
-          state.statuses.push_back(point.status);
-          state.slip_directions.push_back(
-            point.along_tangents(point.status.direction()));
+          state.corner_places.push_back(corner.X(0));
+          state.corners.push_back(save_point(interface,
+                                             contact_pair,
+                                             corner.multipliers[0],
+                                             corner.weight,
+                                             solution));
         }
       return state;
     }
 
 
 
-    // A node gets the state of the nearest one of the coarser mesh. Shears and
-    // directions of slip are those along other tangents.
+    // A node gets the state of the nearest one of the coarser mesh.
     void restore_pair(const SurfaceState<3>        &state,
                       const ContactPair<3>         &contact_pair,
                       const ContactInterface<3>    &interface,
                       std::vector<ContactPoint<3>> &points,
                       GhostedVector                &solution)
     {
-      const auto nearest = pack_rtree_of_indices(state.place);
+      const auto nearest = [](const Point<3> &X, const auto &tree) {
+        return *tree.qbegin(boost::geometry::index::nearest(X, 1));
+      };
+      const auto nodes = pack_rtree_of_indices(state.places);
       for (unsigned int i = 0; i < contact_pair.slave.nodes.size(); ++i)
-        {
-          const unsigned int k = contact_pair.multipliers.of_node[i];
-          if (k == numbers::invalid_unsigned_int)
-            continue;
-          const unsigned int n = *nearest.qbegin(
-            boost::geometry::index::nearest(contact_pair.slave.nodes[i].X, 1));
-          solution[interface.normal_index(k)] = state.pressure[n];
-          points[k].friction_bound            = state.bound[n];
-          points[k].status =
-            points[k].facing ? state.statuses[n] : PointStatus<3>();
-          const Tensor<1, 2> shear = points[k].tangential_part(state.shear[n]);
-          for (unsigned int t = 0; t < 2 && !contact_pair.law.is_frictionless();
-               ++t)
-            solution[interface.tangential_index(k, t)] = shear[t];
-          if (points[k].status.has_direction())
-            {
-              const Tensor<1, 2> along =
-                points[k].tangential_part(state.slip_directions[n]);
-              if (along.norm() > 0)
-                points[k].status.slip_direction = along / along.norm();
-              else
-                points[k].status = {Status::stick, {}};
-            }
-        }
-    }
-
-
-
-    void restore_corners(const SurfaceState<3> &,
-                         const ContactPair<3> &,
-                         const ContactInterface<3> &,
-                         std::vector<ContactPoint<3>> &,
-                         GhostedVector &)
-    {
+        if (const unsigned int k = contact_pair.multipliers.of_node[i];
+            k != numbers::invalid_unsigned_int)
+          restore_point(
+            state.points[nearest(contact_pair.slave.nodes[i].X, nodes)],
+            interface,
+            contact_pair,
+            k,
+            1,
+            points[k],
+            solution);
+      const auto corners = pack_rtree_of_indices(state.corner_places);
+      if (!state.corners.empty())
+        for (ContactPoint<3> &corner :
+             contact_pair.corners_of_master(points.data()))
+          restore_point(state.corners[nearest(corner.X(0), corners)],
+                        interface,
+                        contact_pair,
+                        corner.multipliers[0],
+                        corner.weight,
+                        corner,
+                        solution);
     }
   } // namespace
 
@@ -295,7 +347,6 @@ namespace Contact
       {
         const ContactPair<dim> &contact_pair = *interface.pairs[z];
         restore_pair(states[z], contact_pair, interface, points, solution);
-        restore_corners(states[z], contact_pair, interface, points, solution);
       }
     interface.set_points(points);
   }

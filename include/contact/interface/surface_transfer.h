@@ -36,15 +36,21 @@ namespace Contact
 
 
 
-  /// In space by the undeformed places of the slave nodes.
+  /// In space by the undeformed places of the slave nodes and of the corners of
+  /// the master, which every mesh has: of these with forces [N] for tractions.
   template<>
   struct SurfaceState<3>
   {
-    std::vector<Point<3>>       place;
-    std::vector<double>         pressure, bound; // [MPa]
-    std::vector<Tensor<1, 3>>   shear;           // [MPa]
-    std::vector<PointStatus<3>> statuses;
-    std::vector<Tensor<1, 3>>   slip_directions;
+    struct OfPoint
+    {
+      double         pressure; // [MPa]
+      Tensor<1, 3>   shear;    // [MPa]
+      double         bound;    // [MPa]
+      PointStatus<3> status;
+      Tensor<1, 3>   slip_direction;
+    };
+    std::vector<Point<3>> places, corner_places;
+    std::vector<OfPoint>  points, corners;
   };
 
 

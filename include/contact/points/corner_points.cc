@@ -7,45 +7,88 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace Contact
 {
   namespace
   {
+    std::vector<unsigned int> corners_and_ends(const Surface<2> &surface)
+    {
+      std::vector<unsigned int> nodes;
+      for (unsigned int e = 0; e < surface.facets.size(); ++e)
+        {
+          const SurfaceFacet<2> &edge = surface.facets[e];
+          const bool             is_corner =
+            edge.corner[0] && edge.ends_face[0] &&
+            surface.turn_of_curves(e) >
+              numbers::PI / 180 * Surface<2>::feature_angle;
+          if (is_corner || edge.ends_surface(0))
+            nodes.push_back(edge.nodes[0]);
+          if (edge.ends_surface(1))
+            nodes.push_back(edge.nodes[1]);
+        }
+      return nodes;
+    }
+
+
+
+    // Where ends of faces meet that do not continue each other.
+    std::vector<unsigned int> corners_and_ends(const Surface<3> &surface)
+    {
+      std::map<unsigned int, std::vector<Tensor<1, 3>>> ends_at;
+      for (const SurfaceFacet<3> &facet : surface.facets)
+        for (unsigned int s = 0; s < SurfaceFacet<3>::n_sides; ++s)
+          if (facet.ends_face[s])
+            for (unsigned int a = 0; a < 4; ++a)
+              for (unsigned int b = 0; b < 4; ++b)
+                if (a != b && is_on_side<3>(a, s) && is_on_side<3>(b, s))
+                  {
+                    const Tensor<1, 3> along = surface.nodes[facet.nodes[b]].X -
+                                               surface.nodes[facet.nodes[a]].X;
+                    ends_at[facet.nodes[a]].push_back(along / along.norm());
+                  }
+      const double least =
+        std::cos(numbers::PI / 180 * Surface<3>::feature_angle);
+      std::vector<unsigned int> nodes;
+      for (const auto &[node, ends] : ends_at)
+        if (std::any_of(ends.begin(), ends.end(), [&](const auto &end) {
+              return std::abs(end * ends[0]) < least;
+            }))
+          nodes.push_back(node);
+      return nodes;
+    }
+
+
+
     /// Whether a projection lies at the end of a face, from where on both sides
     /// the overhang counts.
-    bool is_at_end_of_face(const Surface<2>      &surface,
-                           const ContactPoint<2> &point)
+    template<int dim>
+    bool is_at_end_of_face(const Surface<dim>      &surface,
+                           const ContactPoint<dim> &point)
     {
-      const SurfaceFacet<2> &edge = surface.facets[point.master_facet];
-      const double           last = 1 - DeformedSurface<2>::overhang;
-      return (edge.ends_face[0] && point.master_xi < -last) ||
-             (edge.ends_face[1] && point.master_xi > last);
+      const SurfaceFacet<dim> &facet = surface.facets[point.master_facet];
+      for (unsigned int s = 0; s < SurfaceFacet<dim>::n_sides; ++s)
+        if (facet.ends_face[s] &&
+            coordinate(point.master_xi, s / 2) * (s % 2 == 0 ? -1 : 1) >
+              1 - DeformedSurface<dim>::overhang)
+          return true;
+      return false;
     }
   } // namespace
 
 
 
-  std::vector<ContactPoint<2>> make_corner_points(const Surface<2> &master)
+  template<int dim>
+  std::vector<ContactPoint<dim>> make_corner_points(const Surface<dim> &master)
   {
-    std::vector<unsigned int> corners;
-    for (unsigned int e = 0; e < master.facets.size(); ++e)
-      {
-        const SurfaceFacet<2> &edge = master.facets[e];
-        const bool is_corner        = edge.corner[0] && edge.ends_face[0] &&
-                               master.turn_of_curves(e) >
-                                 numbers::PI / 180 * Surface<2>::feature_angle;
-        if (is_corner || edge.ends_surface(0))
-          corners.push_back(edge.nodes[0]);
-        if (edge.ends_surface(1))
-          corners.push_back(edge.nodes[1]);
-      }
+    const auto corners = corners_and_ends(master);
     if (corners.empty())
       return {};
 
-    MultiplierSpace              numbering;
-    const auto                   all = make_nodal_points(master, {}, numbering);
-    std::vector<ContactPoint<2>> points;
+    MultiplierSpace numbering;
+    const auto      all = make_nodal_points(master, {}, numbering);
+    std::vector<ContactPoint<dim>> points;
     for (const unsigned int node : corners)
       {
         points.push_back(all[numbering.of_node[node]]);
@@ -57,11 +100,12 @@ namespace Contact
 
 
 
-  double distance(const ContactPoint<2> &corner, const GhostedVector &u)
+  template<int dim>
+  double distance(const ContactPoint<dim> &corner, const GhostedVector &u)
   {
     double sum = 0;
     for (unsigned int a = 0; a < corner.n_nodes; ++a)
-      for (unsigned int i = 0; i < 2; ++i)
+      for (unsigned int i = 0; i < dim; ++i)
         sum += corner.normal[i] * corner.C[a] *
                (corner.X(a)[i] + u[corner.dofs(a)[i]]);
     return sum;
@@ -69,40 +113,63 @@ namespace Contact
 
 
 
-  void pair_corner_points(const ArrayView<ContactPoint<2>> &corners,
-                          const DeformedSurface<2>         &master,
-                          const DeformedSurface<2>         &slave,
-                          const Discretization<2>          &discretization,
-                          const GhostedVector              &u)
+  template<int dim>
+  void pair_corner_points(const ArrayView<ContactPoint<dim>> &corners,
+                          const DeformedSurface<dim>         &master,
+                          const DeformedSurface<dim>         &slave,
+                          const Discretization<dim>          &discretization,
+                          const GhostedVector                &u)
   {
-    for (ContactPoint<2> &corner : corners)
+    for (ContactPoint<dim> &corner : corners)
       {
         // A slave edge beside the end of the master does not obstruct it.
-        NormalCone<2> directions = directions_of(corner, master);
-        directions.at_end        = false;
+        NormalCone<dim> directions = directions_of(corner, master);
+        directions.at_end          = false;
+        corner.projection          = Point<dim>();
         pair_with_master(corner, directions, slave, discretization, u);
         const double length =
           slave.surface.reference_length(corner.master_facet);
         corner.facing = corner.facing && distance(corner, u) > -length &&
                         !is_at_end_of_face(slave.surface, corner);
-        corner.projection = Point<2>(-corner_slack * length * corner.normal);
+        corner.projection -= corner_slack * length * corner.normal;
       }
   }
 
 
 
-  unsigned int node_at_foot(const ContactPoint<2> &corner,
-                            const Surface<2>      &slave)
+  template<int dim>
+  unsigned int node_at_foot(const ContactPoint<dim> &corner,
+                            const Surface<dim>      &slave)
   {
     const double close = 1e-2;
-    const auto  &nodes = slave.facets[corner.master_facet].nodes;
     if (corner.facing)
-      {
-        if (std::abs(corner.master_xi) > 1 - close)
-          return nodes[corner.master_xi > 0 ? 1 : 0];
-        if (slave.degree == 2 && std::abs(corner.master_xi) < close)
-          return nodes[2];
-      }
+      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+        {
+          double beside = 0;
+          for (unsigned int k = 0; k < dim - 1; ++k)
+            beside =
+              std::max(beside,
+                       std::abs(
+                         std::clamp(+coordinate(corner.master_xi, k), -1., 1.) -
+                         coordinate(node_place<dim>(a), k)));
+          if (beside < close)
+            return slave.facets[corner.master_facet].nodes[a];
+        }
     return numbers::invalid_unsigned_int;
   }
+
+#define INSTANTIATE(dim)                                                      \
+  template std::vector<ContactPoint<dim>> make_corner_points(                 \
+    const Surface<dim> &);                                                    \
+  template double distance(const ContactPoint<dim> &, const GhostedVector &); \
+  template void   pair_corner_points(const ArrayView<ContactPoint<dim>> &,    \
+                                     const DeformedSurface<dim> &,            \
+                                     const DeformedSurface<dim> &,            \
+                                     const Discretization<dim> &,             \
+                                     const GhostedVector &);                  \
+  template unsigned int node_at_foot(const ContactPoint<dim> &,               \
+                                     const Surface<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Contact

@@ -14,7 +14,8 @@ namespace Contact
 
   /**
    * Points of the reversed direction, at the convex corners and the ends of a
-   * master.
+   * master; in space at its vertices, where ends of faces meet that do not
+   * continue each other.
    *
    * The discretizations look from the nodes of the slave, or in the mean along
    * its edges: a corner of the master between two slave nodes they do not see,
@@ -47,20 +48,16 @@ namespace Contact
    * are in contact as well follows from theirs, to round-off. It is met up to
    * @ref corner_slack, so that such a point stays open.
    */
-  std::vector<ContactPoint<2>> make_corner_points(const Surface<2> &master);
-
-  /// In space corners and edges of the master have no points yet.
-  inline std::vector<ContactPoint<3>> make_corner_points(const Surface<3> &)
-  {
-    return {};
-  }
+  template<int dim>
+  std::vector<ContactPoint<dim>> make_corner_points(const Surface<dim> &master);
 
   /// The depth, by the length of the slave edge, that a corner may have: above
   /// all round-off of the pairing, below all depths that matter.
   constexpr double corner_slack = 1e-8;
 
   /// The distance of a corner that is paired from the slave [mm].
-  double distance(const ContactPoint<2> &corner, const GhostedVector &u);
+  template<int dim>
+  double distance(const ContactPoint<dim> &corner, const GhostedVector &u);
 
   /**
    * Pair corner points with the slave in the configuration @p u.
@@ -69,11 +66,12 @@ namespace Contact
    * bodies stand on each other and a slave node sees the master, nor deeper
    * inside than a slave edge is long: there they have come around it.
    */
-  void pair_corner_points(const ArrayView<ContactPoint<2>> &corners,
-                          const DeformedSurface<2>         &master,
-                          const DeformedSurface<2>         &slave,
-                          const Discretization<2>          &discretization,
-                          const GhostedVector              &u);
+  template<int dim>
+  void pair_corner_points(const ArrayView<ContactPoint<dim>> &corners,
+                          const DeformedSurface<dim>         &master,
+                          const DeformedSurface<dim>         &slave,
+                          const Discretization<dim>          &discretization,
+                          const GhostedVector                &u);
 
   /**
    * The slave node that the projection of a corner is at, closer than a
@@ -81,13 +79,9 @@ namespace Contact
    * the corner would say the same twice. The corner is the one to keep: as the
    * bodies slide, it carries on, while a node beside it lifts off.
    */
-  unsigned int node_at_foot(const ContactPoint<2> &corner,
-                            const Surface<2>      &slave);
-
-  inline unsigned int node_at_foot(const ContactPoint<3> &, const Surface<3> &)
-  {
-    return numbers::invalid_unsigned_int;
-  }
+  template<int dim>
+  unsigned int node_at_foot(const ContactPoint<dim> &corner,
+                            const Surface<dim>      &slave);
 } // namespace Contact
 
 #endif

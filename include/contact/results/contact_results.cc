@@ -170,18 +170,26 @@ namespace Contact
   {
     ContactResults results;
     Tensor<1, 3>   shear;
+    const auto     add_force = [&](const ContactPoint<3> &point) {
+      const ContactState<3> now = interface.state(point, solution, u_start);
+      const Traction<3>     t   = interface.traction(point,
+                                               point.status,
+                                               now.p_trial,
+                                               now.q_trial,
+                                               moving_bound);
+      results.normal_force += point.weight * t.p;
+      shear += point.weight * point.along_tangents(t.q);
+      return t;
+    };
+    for (const ContactPoint<3> &point :
+         interface.corners_of_master(contact_pair))
+      if (point.status.kind != Status::open)
+        add_force(point);
     for (const ContactPoint<3> &point : interface.acting_points(contact_pair))
       {
         if (!point.facing || point.status.kind == Status::open)
           continue;
-        const ContactState<3> now = interface.state(point, solution, u_start);
-        const Traction<3>     t   = interface.traction(point,
-                                                 point.status,
-                                                 now.p_trial,
-                                                 now.q_trial,
-                                                 moving_bound);
-        results.normal_force += point.weight * t.p;
-        shear += point.weight * point.along_tangents(t.q);
+        const Traction<3> t  = add_force(point);
         results.max_pressure = std::max(results.max_pressure, t.p);
         results.max_shear    = std::max(results.max_shear, t.q.norm());
         results.extent += point.weight;
@@ -222,14 +230,35 @@ namespace Contact
 
   namespace
   {
-    /// The parts of the nodes of an edge in a force on it: linear between them.
-    /// The shape functions of degree 2 would pull at the far end.
-    PerEdgeNode<double> parts_of_force(const unsigned int degree, double xi)
+    /// The part of the node @p a of a facet in a force on it at @p xi: linear
+    /// between the nodes. The shape functions of degree 2 would pull at the far
+    /// ones.
+    template<int dim>
+    double part_of_force(const unsigned int     degree,
+                         const unsigned int     a,
+                         const FacetPoint<dim> &xi)
     {
-      xi = std::clamp(xi, -1., 1.);
-      if (degree == 1)
-        return {{(1 - xi) / 2, (1 + xi) / 2, 0}};
-      return {{std::max(0., -xi), std::max(0., xi), 1 - std::abs(xi)}};
+      double part = 1;
+      for (unsigned int k = 0; k < dim - 1; ++k)
+        {
+          const double at   = coordinate(node_place<dim>(a), k);
+          const double here = std::clamp(+coordinate(xi, k), -1., 1.);
+          part *= std::max(0., 1 - std::abs(here - at) / (degree == 1 ? 2 : 1));
+        }
+      return part;
+    }
+
+
+
+    template<int dim>
+    double weight_of_node(const Surface<dim> &surface, const unsigned int node)
+    {
+      double weight = 0;
+      for (const unsigned int e : surface.facets_of_node[node])
+        for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+          if (surface.facets[e].nodes[a] == node)
+            weight += share_of_node(surface, e, a);
+      return weight;
     }
   } // namespace
 
@@ -237,31 +266,33 @@ namespace Contact
 
   // The multipliers of a solution are the tractions, which are the same seen
   // from either side.
+  template<int dim>
   std::vector<Tensor<1, 2>>
-  corner_tractions(const ContactInterface<2> &interface,
-                   const ContactPair<2>      &contact_pair,
-                   const GhostedVector       &solution)
+  corner_tractions(const ContactInterface<dim> &interface,
+                   const ContactPair<dim>      &contact_pair,
+                   const GhostedVector         &solution)
   {
     if (!contact_pair.has_corner_points())
       return {};
-    MultiplierSpace numbering;
-    const auto      own = make_nodal_points(contact_pair.slave, {}, numbering);
-    const Surface<2>         &slave = contact_pair.slave;
+    const Surface<dim>       &slave = contact_pair.slave;
     std::vector<Tensor<1, 2>> tractions(slave.nodes.size());
-    for (const ContactPoint<2> &point :
+    for (const ContactPoint<dim> &point :
          interface.corners_of_master(contact_pair))
-      if (point.facing)
+      if (point.facing && point.status.kind != Status::open)
         {
-          const ContactState<2> now =
+          const ContactState<dim> now =
             interface.state(point, solution, solution);
-          const Tensor<1, 2> force =
-            point.weight * Tensor<1, 2>({now.lambda_n, now.lambda_t[0]});
-          const auto parts = parts_of_force(slave.degree, point.master_xi);
+          Tensor<1, 2> force({now.lambda_n, 0.});
+          if constexpr (dim == 2)
+            force[1] = now.lambda_t[0];
           for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
             {
               const unsigned int n = slave.facets[point.master_facet].nodes[a];
-              tractions[n] +=
-                parts[a] / own[numbering.of_node[n]].weight * force;
+              // None on an axis at degree 2.
+              if (const double weight = weight_of_node(slave, n); weight > 0)
+                tractions[n] +=
+                  part_of_force<dim>(slave.degree, a, point.master_xi) *
+                  point.weight / weight * force;
             }
         }
     return tractions;
@@ -369,20 +400,28 @@ namespace Contact
     return false;
   }
 
-  template unsigned int  multiplier_at(const ContactInterface<2> &,
-                                       const ContactPair<2> &,
-                                       const unsigned int);
-  template unsigned int  multiplier_at(const ContactInterface<3> &,
-                                       const ContactPair<3> &,
-                                       const unsigned int);
-  template double        pressure_at(const ContactInterface<2> &,
-                                     const ContactPair<2> &,
-                                     const unsigned int,
-                                     const GhostedVector &);
-  template double        pressure_at(const ContactInterface<3> &,
-                                     const ContactPair<3> &,
-                                     const unsigned int,
-                                     const GhostedVector &);
+  template unsigned int multiplier_at(const ContactInterface<2> &,
+                                      const ContactPair<2> &,
+                                      const unsigned int);
+  template unsigned int multiplier_at(const ContactInterface<3> &,
+                                      const ContactPair<3> &,
+                                      const unsigned int);
+  template double       pressure_at(const ContactInterface<2> &,
+                                    const ContactPair<2> &,
+                                    const unsigned int,
+                                    const GhostedVector &);
+  template double       pressure_at(const ContactInterface<3> &,
+                                    const ContactPair<3> &,
+                                    const unsigned int,
+                                    const GhostedVector &);
+  template std::vector<Tensor<1, 2>>
+  corner_tractions(const ContactInterface<2> &,
+                   const ContactPair<2> &,
+                   const GhostedVector &);
+  template std::vector<Tensor<1, 2>>
+                         corner_tractions(const ContactInterface<3> &,
+                                          const ContactPair<3> &,
+                                          const GhostedVector &);
   template GhostedVector contact_forces(const ContactInterface<2> &,
                                         const GhostedVector &,
                                         const GhostedVector &,

@@ -87,20 +87,14 @@ namespace Contact
    * The load of the points at corners of the master on the nodes of the slave:
    * the force along normal and tangent of the node's own point by the integral
    * of the node's shape function, over which it is spread, to be added to
-   * pressure and shear (p, q) of that point [MPa]. By slave node; empty if
-   * there are no such points.
+   * pressure and shear (p, q) of that point [MPa]; in space the pressure alone.
+   * By slave node; empty if there are no such points.
    */
+  template<int dim>
   std::vector<Tensor<1, 2>>
-  corner_tractions(const ContactInterface<2> &interface,
-                   const ContactPair<2>      &contact_pair,
-                   const GhostedVector       &solution);
-
-  inline std::vector<Tensor<1, 2>> corner_tractions(const ContactInterface<3> &,
-                                                    const ContactPair<3> &,
-                                                    const GhostedVector &)
-  {
-    return {};
-  }
+  corner_tractions(const ContactInterface<dim> &interface,
+                   const ContactPair<dim>      &contact_pair,
+                   const GhostedVector         &solution);
 
   /// The points that have changed their status since @p statuses, where, from
   /// what to what: a line each, at most ten.
