@@ -27,6 +27,8 @@ Proves that
   as with a contact pair for each side, whatever the number of increments;
 - a mesh too coarse for a corner of the master, with most of the motion in the
   overlap, is noted, with the remedy;
+- a block over the corner of another one, of which slave facets see a part in their
+  middle, takes few steps, and as many with the roles exchanged;
 - the force of a point that is tied to a support is one of the support, on two
   processes as well;
 - a slave node that is supported on one side only pushes along the normal of the
@@ -645,6 +647,46 @@ def too_coarse():
     check("  refined it is right, unrefined it is not",
           abs(forces["nodal", 1] / forces["mortar", 0] - 1) < 0.2 and
           forces["nodal", 0] < 0.5 * forces["mortar", 0], str(forces))
+
+
+def over_rim():
+    """A block over a corner of another one, shifted along it, groups round the
+    edges, mortar: parts of the master lie within facets of the slave, which have
+    one multiplier there. Each role in 20 steps, the same force within the error of
+    the mesh."""
+    lean = 0.0022
+    mesh = Volumes()
+    mesh.block("Low", (2, 2, 1),
+               lambda r, s, t: (10 * r + 5 * lean * t, 10 * s, 5 * t - 5),
+               sides={"z0": "Base", "z1": "In", "x1": "In", "y1": "In"})
+    mesh.block("Up", (3, 3, 2), lambda r, s, t: (
+        3.12 + 8 * r + 5 * lean * t, 7.44 + 8 * s, 0.19 + 5 * t),
+               sides={"z1": "Head", "z0": "Out", "x0": "Out", "y0": "Out"})
+    mesh.write("over_rim")
+    forces = {}
+    for levels in (1, 2):
+        for slave, master in (("Low_In", "Up_Out"), ("Up_Out", "Low_In")):
+            status, said, summary = run("over_rim", {
+                "Mesh/File": "over_rim.msh", "Refinement/Levels": levels,
+                **solids("Low: 2500, Up: 70000", "Low: 0.38, Up: 0.33"),
+                "Contact/Slave": slave, "Contact/Master": master,
+                "Contact/Discretization": "mortar",
+                **{f"Boundary conditions/Displacement {x}":
+                   f"Low_Base: 0, Up_Head: {way}"
+                   for x, way in (("x", 0.19), ("y", 0.02), ("z", -0.36))}})
+            what = f"slave {slave}, {levels} levels"
+            check(what + ": converges", status == 0, said[-500:])
+            if status == 0:
+                last = summary["increments"][-1]
+                check("  in 20 steps", last["newton_iterations"] <= 20, str(last))
+                forces[levels, slave] = last["reactions"]["Low_Base"]["z"]
+    if len(forces) == 4:
+        def of(levels):
+            return [forces[levels, slave] for slave in ("Low_In", "Up_Out")]
+        off = abs(of(2)[0] / of(2)[1] - 1)
+        error = max(abs(a / b - 1) for a, b in zip(of(1), of(2)))
+        check("  roles exchanged: within the error of the mesh", off < error,
+              str(forces))
 
 
 def roles():
@@ -1542,7 +1584,7 @@ def closed():
 
 for scene in (carried, closed, buckling, overlap, cantilever, halves, teeth, own_master, round_off,
               lost_ways, on_a_corner, beyond_round_off, held_ends, dragged, driven, cornered,
-              in_a_corner, concave_corner, too_coarse, roles, tied, flank, groove,
+              in_a_corner, concave_corner, too_coarse, over_rim, roles, tied, flank, groove,
               slide, pinned, clamped, between_nodes, approached, through, foil, turning, shrunk, snap_through, coarse_fit, flat_ends, glued_apart, idle,
               held_nodes, left_free, stands_on_corner, left_floating, eccentric, round_and_apart, through_zero, nominal_loads, normal_supports,
               along_edges, off_the_end):

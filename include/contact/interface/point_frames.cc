@@ -228,7 +228,6 @@ namespace Contact
         }
       return sum / weight;
     }
-
   } // namespace
 
 

@@ -37,7 +37,7 @@ namespace Contact
   // middle of the facet. What is much less is between a half and a quarter, as
   // of a rim and of a corner of the master that are on the node.
   void FacetDualFunctions::find_carriers(const std::vector<double> &integrals,
-                                         const FullMatrix<double>  &differences,
+                                         const FullMatrix<double>  &common,
                                          const Carriers            &carries)
   {
     const double        much_less = 0.4, round_off = 1e-12;
@@ -65,6 +65,10 @@ namespace Contact
                      [&](const unsigned int a, const unsigned int b) {
                        return covered[a] > covered[b];
                      });
+    // 0 for multiples of each other, 1 for functions side by side.
+    const auto difference = [&](const unsigned int a, const unsigned int b) {
+      return 1 - common(a, b) * (1 / integrals[a] + 1 / integrals[b]);
+    };
     for (const unsigned int a : by_size)
       {
         const bool leaves =
@@ -72,7 +76,7 @@ namespace Contact
           std::any_of(with_carriers.begin(),
                       with_carriers.end(),
                       [&](const unsigned int b) {
-                        return differences(a, b) < much_less * of_neighbors;
+                        return difference(a, b) < much_less * of_neighbors;
                       });
         (leaves ? others : with_carriers).push_back(a);
       }

@@ -108,11 +108,11 @@ namespace Contact
     /// The M_j before nodes without a multiplier left theirs, by node.
     FacetShape<3>::Values functions(const FacetSample &sample) const;
 
-    /// The @p integrals of the functions, and how much two of them differ on
-    /// what is covered: 1 if they have no place in common, 0 if they are
-    /// multiples of each other.
+    /// The @p integrals of the functions M_a, and what two of them have in @p
+    /// common, integral M_a M_b / (M_a + M_b), on a facet that is covered in
+    /// part: multiples of each other have a half of their harmonic mean.
     void find_carriers(const std::vector<double> &integrals,
-                       const FullMatrix<double>  &differences,
+                       const FullMatrix<double>  &common,
                        const Carriers            &carries);
 
     /// G becomes its inverse; where the M_j depend on each other, a
@@ -155,24 +155,17 @@ namespace Contact
     piecewise = degree == 2 && partly;
     if (piecewise)
       of_functions = integrals();
-    const auto difference = [&](const unsigned int a, const unsigned int b) {
-      double common = 0;
-      for (const FacetSample &sample : samples)
+    FullMatrix<double> common(n_nodes, n_nodes);
+    for (const FacetSample &sample : samples)
+      if (partly)
         {
-          const auto   values = functions(sample);
-          const double sum    = values[a] + values[b];
-          if (sum > 0)
-            common += sample.weight * values[a] * values[b] / sum;
+          const auto values = functions(sample);
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            for (unsigned int b = 0; b < n_nodes; ++b)
+              if (const double sum = values[a] + values[b]; sum > 0)
+                common(a, b) += sample.weight * values[a] * values[b] / sum;
         }
-      return common > 0
-               ? 1 - common * (1 / of_functions[a] + 1 / of_functions[b])
-               : 1;
-    };
-    FullMatrix<double> differences(n_nodes, n_nodes);
-    for (unsigned int a = 0; a < n_nodes; ++a)
-      for (unsigned int b = 0; b < a; ++b)
-        differences(a, b) = differences(b, a) = partly ? difference(a, b) : 1;
-    find_carriers(of_functions, differences, carries);
+    find_carriers(of_functions, common, carries);
 
     const unsigned int n = carriers.size();
     if (n == 0)
