@@ -106,9 +106,6 @@ namespace Contact
     , nodes(nodes)
     , is_large(is_large)
   {
-    if (dim == 2)
-      is_missing = {{is_ring, false, true, true, true, is_ring}};
-
     // The node that is the farthest from the first one, then that with the
     // largest triangle.
     const auto add_farthest = [&](const auto &distance) {
@@ -122,7 +119,9 @@ namespace Contact
     add_farthest([&](const unsigned int n) {
       return (nodes[n].arm - nodes[0].arm).norm();
     });
-    if (dim == 3)
+    if (dim == 2)
+      is_missing = {{is_ring, false, true, true, true, is_ring}};
+    else
       add_farthest([&](const unsigned int n) {
         return cross_product_3d(nodes[n].arm - nodes[0].arm,
                                 nodes[frame[1]].arm - nodes[0].arm)
