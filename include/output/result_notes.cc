@@ -223,7 +223,7 @@ namespace Contact
             continue;
           is_loaded = is_loaded || increment.works.at("strain_energy") != 0;
           for (const auto &[name, values] : increment.contact)
-            touches = touches || values.at("max_pressure") != 0;
+            touches = touches || values.at("normal_force") != 0;
         }
       if (!is_loaded)
         notes.push_back("nothing is loaded: nothing moves and no force acts");
