@@ -28,7 +28,8 @@ Proves that
 - a mesh too coarse for a corner of the master, with most of the motion in the
   overlap, is noted, with the remedy;
 - a block over the corner of another one, of which slave facets see a part in their
-  middle, takes few steps, and as many with the roles exchanged;
+  middle, takes few steps, and has the same force with the roles exchanged, within
+  the error of the mesh;
 - the force of a point that is tied to a support is one of the support, on two
   processes as well;
 - a slave node that is supported on one side only pushes along the normal of the

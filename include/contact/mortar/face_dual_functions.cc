@@ -41,7 +41,7 @@ namespace Contact
                                          const Carriers            &carries)
   {
     const double        much_less = 0.4, round_off = 1e-12;
-    const double        of_neighbors = 1. / 3; // on the whole facet
+    const double        of_neighbors = 1. / 3; // on a whole facet of degree 1
     std::vector<double> covered(n_nodes, 1.);  // but for a common factor
     double              sum = 0, most = 0;
     for (unsigned int a = 0; a < n_nodes; ++a)
