@@ -14,6 +14,7 @@
 #include "base/errors.h"
 #include "base/string_utilities.h"
 #include "contact/surfaces/surface_checks.h"
+#include "contact/surfaces/surface_overlap.h"
 
 namespace Contact
 {
@@ -51,6 +52,27 @@ namespace Contact
       all_points.size());
     frames = PointFrames<dim>(all_points, pairs);
     frames.find_other_sides(all_points, made);
+    measure_overlaps(made);
+  }
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::measure_overlaps(
+    const std::vector<ContactPair<dim> *> &of_pairs) const
+  {
+    std::vector<ContactPair<dim> *> with_master;
+    std::vector<std::pair<const Surface<dim> *, const Surface<dim> *>> surfaces;
+    for (ContactPair<dim> *const contact_pair : of_pairs)
+      if (contact_pair->master)
+        {
+          with_master.push_back(contact_pair);
+          surfaces.emplace_back(&contact_pair->slave, &*contact_pair->master);
+        }
+    const auto overlaps =
+      overlaps_as_drawn<dim>(surfaces, discretization.communicator);
+    for (unsigned int i = 0; i < overlaps.size(); ++i)
+      with_master[i]->overlap_as_drawn = overlaps[i];
   }
 
 

@@ -192,6 +192,16 @@ namespace Contact
     /// The undeformed place of a point [mm].
     Point<dim> place(const ContactPoint<dim> &point) const;
 
+    /**
+     * How far a place of one surface may be behind the other one [mm]: the
+     * surfaces have moved there, or overlap as drawn. What is further behind is
+     * the far side of a body.
+     */
+    double reach(const DeformedSurface<dim> &slave_now,
+                 const DeformedSurface<dim> &master_now) const;
+
+    double overlap_as_drawn = 0; // [mm]
+
   private:
     NormalCone<dim>                directions(const ContactPoint<dim>    &point,
                                               const DeformedSurface<dim> &now,

@@ -53,17 +53,20 @@ namespace Contact
       return ArrayView<ContactPoint<dim>>(points.data() + first, end - first);
     };
     // Surfaces that are kept apart push each other without touching.
-    PairingMode of_mortar = mode;
+    PairingMode of_pair = mode;
+    if (master)
+      of_pair.reach = reach({slave, u}, {*master, u});
+    PairingMode of_mortar = of_pair;
     if (interference->added() != 0)
       of_mortar.keeps_open_points = of_mortar.leaves_far_points = false;
     const auto of_discretization = part(0, n_of_discretization);
     bool       changed = mortar ? mortar->pair(of_discretization, u, of_mortar)
-                                : project(of_discretization, u, mode);
+                                : project(of_discretization, u, of_pair);
     if (n_of_discretization < n_of_slave)
       changed =
-        project(part(n_of_discretization, n_of_slave), u, mode) || changed;
+        project(part(n_of_discretization, n_of_slave), u, of_pair) || changed;
     if (has_corner_points())
-      changed = pair_corners(part(n_of_slave, n_points), u, mode) || changed;
+      changed = pair_corners(part(n_of_slave, n_points), u, of_pair) || changed;
 
     // A nodal point looks from its own place, where the corner is.
     for (unsigned int q = n_of_slave; q < n_points; ++q)
@@ -79,13 +82,28 @@ namespace Contact
 
 
   template<int dim>
+  double ContactPair<dim>::reach(const DeformedSurface<dim> &slave_now,
+                                 const DeformedSurface<dim> &master_now) const
+  {
+    return slave_now.largest_displacement() +
+           master_now.largest_displacement() + overlap_as_drawn;
+  }
+
+
+
+  template<int dim>
   bool
   ContactPair<dim>::pair_corners(const ArrayView<ContactPoint<dim>> &corners,
                                  const GhostedVector                &u,
                                  const PairingMode                  &mode) const
   {
     std::vector<ContactPoint<dim>> old(corners.begin(), corners.end());
-    pair_corner_points(corners, {*master, u}, {slave, u}, discretization, u);
+    pair_corner_points(corners,
+                       {*master, u},
+                       {slave, u},
+                       discretization,
+                       u,
+                       mode.reach);
     for (ContactPoint<dim> &corner : corners)
       differentiate(corner, u, mode);
     return !std::equal(corners.begin(),
@@ -148,9 +166,11 @@ namespace Contact
     bool                       changed = false;
     for (ContactPoint<dim> &point : points)
       {
-        const auto old_nodes = point.nodes;
+        const auto      old_nodes = point.nodes;
+        NormalCone<dim> here      = directions(point, now, u);
+        here.depth                = here.reach + mode.reach;
         pair_with_master(point,
-                         directions(point, now, u),
+                         here,
                          master_now,
                          discretization,
                          u,

@@ -111,7 +111,7 @@ namespace Contact
       old_nodes.push_back(point.nodes);
     const auto numbers = keep_pairings(points, u, mode);
     if (!numbers.empty())
-      pair_anew(points, numbers, u, mode.with_derivatives);
+      pair_anew(points, numbers, u, mode);
     for (const unsigned int q : numbers)
       {
         last.weights[q]         = points[q].weight;
@@ -227,22 +227,23 @@ namespace Contact
   MortarDiscretization<3>::pair_anew(const ArrayView<ContactPoint<3>> &points,
                                      const std::vector<unsigned int>  &numbers,
                                      const GhostedVector              &u,
-                                     const bool with_derivatives) const
+                                     const PairingMode &mode) const
   {
     if (!point_shares)
       point_shares.emplace(points.size(), discretization.communicator);
     std::vector<bool> changes(points.size(), false);
     for (const unsigned int q : numbers)
-      changes[q] = with_derivatives && points[q].status.kind != Status::open;
+      changes[q] =
+        mode.with_derivatives && points[q].status.kind != Status::open;
     const std::vector<unsigned int> own = point_shares->own(numbers, changes);
     std::vector<bool>               is_own(slave.nodes.size(), false);
     for (const unsigned int q : own)
       is_own[slave_node(points[q])] = true;
 
-    const FaceConfiguration                now(slave, master, planes, u);
-    FaceSegments                           segments(slave, master, now);
-    std::vector<NodeIntegrals>             of_nodes(slave.nodes.size());
-    std::vector<float>                     seconds(slave.nodes.size(), 0);
+    const FaceConfiguration    now(slave, master, planes, u);
+    FaceSegments               segments(slave, master, now, mode.reach);
+    std::vector<NodeIntegrals> of_nodes(slave.nodes.size());
+    std::vector<float>         seconds(slave.nodes.size(), 0);
     std::vector<std::vector<Tensor<1, 3>>> distances(slave.facets.size());
     for (const unsigned int q : own)
       if (changes[q])

@@ -79,7 +79,7 @@ namespace Contact
     void pair_anew(const ArrayView<ContactPoint<3>> &points,
                    const std::vector<unsigned int>  &numbers,
                    const GhostedVector              &u,
-                   const bool                        with_derivatives) const;
+                   const PairingMode                &mode) const;
 
     void         fill_in(const NodeIntegrals     &integrals,
                          const unsigned int       node,

@@ -229,8 +229,6 @@ namespace Contact
     : slave_normals(planes.facet_normals({slave, u}))
     , master_normals(planes.facet_normals({master, u}))
     , search(master, u)
-    , slave(slave)
-    , u(u)
   {
     for (unsigned int i = 0; i < slave.nodes.size(); ++i)
       slave_x.push_back(slave.position(i, u));
@@ -242,21 +240,14 @@ namespace Contact
 
 
 
-  const DeformedSurface<3> &FaceConfiguration::slave_search() const
-  {
-    if (!of_slave)
-      of_slave = std::make_unique<DeformedSurface<3>>(slave, u);
-    return *of_slave;
-  }
-
-
-
   FaceSegments::FaceSegments(const Surface<3>        &slave,
                              const Surface<3>        &master,
-                             const FaceConfiguration &now)
+                             const FaceConfiguration &now,
+                             const double             reach)
     : slave(slave)
     , master(master)
     , now(now)
+    , reach(reach)
     , closest(slave.nodes.size())
   {
   }
@@ -285,8 +276,8 @@ namespace Contact
     for (const unsigned int m : now.search.facets_in(box))
       if (directions.faces(now.master_middles[m]))
         add_segment(own, m);
+    remove_far_sides(own);
     remove_hidden(own);
-    remove_beyond(own);
     return of_facet;
   }
 
@@ -428,53 +419,15 @@ namespace Contact
 
 
 
-  // After the surfaces have passed each other, a line from the slave's facet
-  // through its body meets the master's before it leaves the body, and does not
-  // go into the master's. Facets next to each other need no such test.
-  void FaceSegments::remove_beyond(const SlaveFacet &own)
+  void FaceSegments::remove_far_sides(const SlaveFacet &own)
   {
-    const auto depth_of = [&](const FaceSample &sample) {
-      return sample.distance * own.normal;
-    };
-    const double reach = slave.reference_length(own.index);
-    double       depth = 0;
-    for (const FaceSample &sample : of_facet)
-      depth = std::max(depth, depth_of(sample));
-    if (depth <= reach)
-      return;
-
-    std::vector<Point<3>> x;
-    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-      for (const double along : {0., depth})
-        x.push_back(now.slave_x[own.facet.nodes[a]] - along * own.normal);
-    const BoundingBox<3>        box(x);
-    std::vector<ProjectedFacet> sides_of_slave, sides_of_master;
-    for (const unsigned int f : now.slave_search().facets_in(box))
-      if (now.slave_middles[f] * own.normal < 0)
-        sides_of_slave.push_back(projected(own, slave, now.slave_x, f));
-    for (const unsigned int m : now.search.facets_in(box))
-      if (now.master_middles[m] * own.normal > 0)
-        sides_of_master.push_back(projected(own, master, now.master_x, m));
-
-    const auto is_beyond = [&](const FaceSample &sample) {
-      if (depth_of(sample) <= reach)
-        return false;
-      const Point<3> on_slave   = place_of(sample, own);
-      const auto     is_between = [&](const Surface<3>            &surface,
-                                  const std::vector<Point<3>> &x) {
-        return [&](const ProjectedFacet &facet) {
-          const auto along = distance_along(own, on_slave, surface, x, facet);
-          return along && *along > 0 && *along < depth_of(sample);
-        };
-      };
-      return std::any_of(sides_of_slave.begin(),
-                         sides_of_slave.end(),
-                         is_between(slave, now.slave_x)) ||
-             std::any_of(sides_of_master.begin(),
-                         sides_of_master.end(),
-                         is_between(master, now.master_x));
-    };
-    of_facet.erase(std::remove_if(of_facet.begin(), of_facet.end(), is_beyond),
+    const double depth =
+      reach + DeformedSurface<3>::overhang * slave.reference_length(own.index);
+    of_facet.erase(std::remove_if(of_facet.begin(),
+                                  of_facet.end(),
+                                  [&](const FaceSample &sample) {
+                                    return sample.distance * own.normal > depth;
+                                  }),
                    of_facet.end());
   }
 

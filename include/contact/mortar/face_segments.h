@@ -27,20 +27,12 @@ namespace Contact
                       const SymmetryPlanes &planes,
                       const GhostedVector  &u);
 
-    /// Of the slave, made when it is first asked for.
-    const DeformedSurface<3> &slave_search() const;
-
     std::vector<Point<3>>    slave_x, master_x;
     FacetNormals<3>          slave_normals, master_normals;
     const DeformedSurface<3> search; // of the master
 
     /// The outward normals in the middle of the facets.
     std::vector<Tensor<1, 3>> slave_middles, master_middles;
-
-  private:
-    const Surface<3>                           &slave;
-    const GhostedVector                        &u;
-    mutable std::unique_ptr<DeformedSurface<3>> of_slave;
   };
 
 
@@ -92,15 +84,16 @@ namespace Contact
    * 2 in four parts, bilinear between their nodes. The common polygons are cut
    * into triangles with Gauss points. Integrals are over the undeformed slave.
    * Of master facets that lie one behind the other, the nearest is the partner.
-   * A facet of the master beyond another side of the slave's own body, or seen
-   * from outside of the master's, is none.
+   * What is further behind the slave than @p reach is the far side of a body,
+   * and none.
    */
   class FaceSegments
   {
   public:
     FaceSegments(const Surface<3>        &slave,
                  const Surface<3>        &master,
-                 const FaceConfiguration &now);
+                 const FaceConfiguration &now,
+                 const double             reach);
 
     /// The Gauss points of a slave facet, in a list that is used again.
     const std::vector<FaceSample> &samples(const unsigned int slave_facet);
@@ -116,8 +109,8 @@ namespace Contact
                               const NormalCone<3> &directions);
 
     void add_segment(const SlaveFacet &own, const unsigned int master_facet);
+    void remove_far_sides(const SlaveFacet &own);
     void remove_hidden(const SlaveFacet &own);
-    void remove_beyond(const SlaveFacet &own);
 
     /// A facet and its parts in that plane.
     using ProjectedFacet = std::pair<unsigned int, std::vector<ProjectedPart>>;
@@ -139,6 +132,7 @@ namespace Contact
 
     const Surface<3>        &slave, &master;
     const FaceConfiguration &now;
+    const double             reach; // [mm]
 
     /// The closest point of the master to a node of the slave.
     struct Closest

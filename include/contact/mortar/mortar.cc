@@ -82,7 +82,7 @@ namespace Contact
                                      const PairingMode &mode) const
   {
     const MortarGeometry<double> now(slave, master, discretization, u);
-    const MortarSegments         segments(now, u);
+    const MortarSegments         segments(now, u, mode.reach);
     std::vector<MortarOverlap>   overlaps;
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
       overlaps.push_back(segments.overlap(e));

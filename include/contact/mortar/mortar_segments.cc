@@ -25,8 +25,10 @@ namespace Contact
 
 
   MortarSegments::MortarSegments(const MortarGeometry<double> &geometry,
-                                 const GhostedVector          &u)
+                                 const GhostedVector          &u,
+                                 const double                  reach)
     : now(geometry)
+    , reach(reach)
     , search(geometry.master, u)
   {
     Tensor<1, 2> low = now.slave_x[0], high = low;
@@ -210,6 +212,8 @@ namespace Contact
     auto            n = now.slave_normal(slave_facet, shape.value);
     n /= n.norm();
     const NormalCone<2> direction{{-n}};
+    const double        depth = reach + DeformedSurface<2>::overhang *
+                                   now.slave.reference_length(slave_facet);
     for (const unsigned int m : candidates)
       {
         const double master_xi = now.projection_on_edge(x, n, m);
@@ -223,7 +227,7 @@ namespace Contact
         if (std::abs(cross(r, n)) > 1e-8 * size)
           continue;
         Hit &hit = r * n >= 0 ? ahead : behind;
-        if (std::abs(r * n) < hit.distance)
+        if (std::abs(r * n) < hit.distance && -(r * n) <= depth)
           hit = {m,
                  std::abs(r * n),
                  direction.faces(search.normal(m, master_xi))};

@@ -93,7 +93,8 @@ namespace Contact
   public:
     /// In the configuration @p u, which is that of @p geometry.
     MortarSegments(const MortarGeometry<double> &geometry,
-                   const GhostedVector          &u);
+                   const GhostedVector          &u,
+                   const double                  reach);
 
     /// The part of a slave edge that faces the master.
     MortarOverlap overlap(const unsigned int slave_facet) const;
@@ -126,6 +127,7 @@ namespace Contact
                                          const double       reach) const;
 
     const MortarGeometry<double> &now;
+    const double                  reach;  // [mm]
     const DeformedSurface<2>      search; // on the master
     double                        size;   // of both surfaces together [mm]
   };

@@ -174,6 +174,10 @@ namespace Contact
     /// The surfaces are where they were: pair those that have kept theirs, and
     /// leave all others as they are.
     bool is_rest = false;
+
+    /// How far a place may be behind what it faces [mm]: what is deeper is the
+    /// far side of a body, see ContactPair::reach().
+    double reach = std::numeric_limits<double>::max();
   };
 
 

@@ -118,19 +118,21 @@ namespace Contact
                           const DeformedSurface<dim>         &master,
                           const DeformedSurface<dim>         &slave,
                           const Discretization<dim>          &discretization,
-                          const GhostedVector                &u)
+                          const GhostedVector                &u,
+                          const double                        reach)
   {
     for (ContactPoint<dim> &corner : corners)
       {
         // A slave edge beside the end of the master does not obstruct it.
         NormalCone<dim> directions = directions_of(corner, master);
         directions.at_end          = false;
+        directions.depth           = directions.reach + reach;
         corner.projection          = Point<dim>();
         pair_with_master(corner, directions, slave, discretization, u);
         const double length =
           slave.surface.reference_length(corner.master_facet);
-        corner.facing = corner.facing && distance(corner, u) > -length &&
-                        !is_at_end_of_face(slave.surface, corner);
+        corner.facing =
+          corner.facing && !is_at_end_of_face(slave.surface, corner);
         corner.projection -= corner_slack * length * corner.normal;
       }
   }
@@ -166,7 +168,8 @@ namespace Contact
                                      const DeformedSurface<dim> &,            \
                                      const DeformedSurface<dim> &,            \
                                      const Discretization<dim> &,             \
-                                     const GhostedVector &);                  \
+                                     const GhostedVector &,                   \
+                                     const double);                           \
   template unsigned int node_at_foot(const ContactPoint<dim> &,               \
                                      const Surface<dim> &);
   INSTANTIATE(2)

@@ -63,15 +63,16 @@ namespace Contact
    * Pair corner points with the slave in the configuration @p u.
    *
    * They face nothing at the end of a face of the slave, where corners of both
-   * bodies stand on each other and a slave node sees the master, nor deeper
-   * inside than a slave edge is long: there they have come around it.
+   * bodies stand on each other and a slave node sees the master, nor further
+   * behind the slave than @p reach [mm].
    */
   template<int dim>
   void pair_corner_points(const ArrayView<ContactPoint<dim>> &corners,
                           const DeformedSurface<dim>         &master,
                           const DeformedSurface<dim>         &slave,
                           const Discretization<dim>          &discretization,
-                          const GhostedVector                &u);
+                          const GhostedVector                &u,
+                          const double                        reach);
 
   /**
    * The slave node that the projection of a corner is at, closer than a

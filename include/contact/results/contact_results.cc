@@ -51,7 +51,8 @@ namespace Contact
                          master,
                          slave,
                          contact_pair.discretization,
-                         u);
+                         u,
+                         contact_pair.reach(slave, master));
       for (const ContactPoint<2> &corner : corners)
         {
           const SurfaceFacet<2> &edge =

@@ -249,14 +249,22 @@ namespace Contact
   DeformedSurface<dim>::closest_facing(const Point<dim>      &x,
                                        const NormalCone<dim> &directions) const
   {
+    // How far the place is behind it.
+    const auto is_near = [&](const Projection<dim> &candidate,
+                             const Tensor<1, dim>  &n) {
+      return (position(candidate.facet, candidate.xi) - x) * n <=
+             directions.depth;
+    };
     Projection<dim> found = choose(x, [&](const Projection<dim> &candidate) {
-      return directions.faces(normal(candidate.facet, candidate.xi));
+      const Tensor<1, dim> n = normal(candidate.facet, candidate.xi);
+      return directions.faces(n) && is_near(candidate, n);
     });
     if (found.off_the_end && directions.at_end)
       {
         const Projection<dim> next =
           choose(x, [&](const Projection<dim> &candidate) {
-            return directions.is_beside(normal(candidate.facet, candidate.xi));
+            const Tensor<1, dim> n = normal(candidate.facet, candidate.xi);
+            return directions.is_beside(n) && is_near(candidate, n);
           });
         if (!next.off_the_end)
           found = next;
@@ -278,6 +286,17 @@ namespace Contact
   Projection<dim> DeformedSurface<dim>::closest_alone(const Point<dim> &x) const
   {
     return closest(x, [](const Projection<dim> &) { return true; });
+  }
+
+
+
+  template<int dim>
+  double DeformedSurface<dim>::largest_displacement() const
+  {
+    double largest = 0;
+    for (unsigned int i = 0; i < positions.size(); ++i)
+      largest = std::max(largest, positions[i].distance(surface.nodes[i].X));
+    return largest;
   }
 
 

@@ -41,6 +41,9 @@ namespace Contact
     /// The distance beyond the end of a face up to which it looks [mm].
     double reach = std::numeric_limits<double>::max();
 
+    /// How far the place may be behind a face [mm].
+    double depth = std::numeric_limits<double>::max();
+
     /**
      * Faces whose normals are further from opposite than this do not face each
      * other [degrees]: the side of a body beside a place that looks past it,
@@ -109,6 +112,9 @@ namespace Contact
 
     /// Of the nodes [mm].
     const std::vector<Point<dim>> positions;
+
+    /// The largest displacement of a node [mm].
+    double largest_displacement() const;
 
     /// A place of a facet.
     Point<dim> position(const unsigned int     facet,
