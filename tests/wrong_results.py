@@ -30,6 +30,9 @@ Proves that
 - a block over the corner of another one, of which slave facets see a part in their
   middle, takes few steps, and has the same force with the roles exchanged, within
   the error of the mesh;
+- a block on a larger one, turned, groups all around both, has no force before they
+  touch and then that of the sole, with both discretizations and roles: a far side of
+  a body is no overlap;
 - the force of a point that is tied to a support is one of the support, on two
   processes as well;
 - a slave node that is supported on one side only pushes along the normal of the
@@ -688,6 +691,49 @@ def over_rim():
         error = max(abs(a / b - 1) for a, b in zip(of(1), of(2)))
         check("  roles exchanged: within the error of the mesh", off < error,
               str(forces))
+
+
+def far_sides():
+    """A block on a larger one, turned by 0.3 rad, groups all around both: the flanks
+    of one face far sides of the other, through the bodies."""
+    around = dict.fromkeys(("x0", "x1", "y0", "y1"), "All")
+    c, s = math.cos(0.3), math.sin(0.3)
+
+    def turned(r, s_, t):
+        r, s_ = r - 0.5, s_ - 0.5
+        return 1.7 + c * r - s * s_, 1.9 + s * r + c * s_, t
+    for gap, way in ((0.01, 0), (0, -0.03)):
+        mesh = Volumes()
+        mesh.block("Low", (2, 2, 1), lambda r, s, t: (4 * r, 4 * s, 2 * t - 2),
+                   sides={"z0": "Base", "z1": "All", **around})
+        mesh.block("Up", (2, 2, 2), lambda r, s, t: turned(r, s, t + gap),
+                   sides={"z1": "Head", "z0": "All", **around})
+        mesh.write("far_sides")
+        for discretization in ("nodal", "mortar"):
+            for slave, master in (("Up_All", "Low_All"), ("Low_All", "Up_All")):
+                status, said, summary = run("far_sides", {
+                    "Mesh/File": "far_sides.msh",
+                    **solids("Low: 1000, Up: 1000", "Low: 0.3, Up: 0.3"),
+                    "Contact/Slave": slave, "Contact/Master": master,
+                    "Contact/Discretization": discretization,
+                    "Boundary conditions/Displacement x": "Low_Base: 0, Up_Head: 0",
+                    "Boundary conditions/Displacement y": "Low_Base: 0, Up_Head: 0",
+                    "Boundary conditions/Displacement z":
+                        f"Low_Base: 0, Up_Head: {way}"})
+                what = f"{discretization}, slave {slave}, gap {gap}"
+                # Edges of the master may sink into a slave that is coarser.
+                sinks = discretization == "nodal" and slave == "Low_All" and way
+                check(what + ": status", status == (1 if sinks else 0), said[-500:])
+                if status != 0:
+                    continue
+                force = summary["increments"][-1]["reactions"]["Low_Base"]
+                if not way:
+                    check("  no force", max(map(abs, force.values())) < 1e-9,
+                          str(force))
+                else:
+                    check("  that of the sole", 22 < force["z"] < 28 and max(
+                        abs(force["x"]), abs(force["y"])) < 0.02 * force["z"],
+                        str(force))
 
 
 def roles():
@@ -1585,7 +1631,7 @@ def closed():
 
 for scene in (carried, closed, buckling, overlap, cantilever, halves, teeth, own_master, round_off,
               lost_ways, on_a_corner, beyond_round_off, held_ends, dragged, driven, cornered,
-              in_a_corner, concave_corner, too_coarse, over_rim, roles, tied, flank, groove,
+              in_a_corner, concave_corner, too_coarse, over_rim, far_sides, roles, tied, flank, groove,
               slide, pinned, clamped, between_nodes, approached, through, foil, turning, shrunk, snap_through, coarse_fit, flat_ends, glued_apart, idle,
               held_nodes, left_free, stands_on_corner, left_floating, eccentric, round_and_apart, through_zero, nominal_loads, normal_supports,
               along_edges, off_the_end):
