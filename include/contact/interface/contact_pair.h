@@ -193,9 +193,9 @@ namespace Contact
     Point<dim> place(const ContactPoint<dim> &point) const;
 
     /**
-     * How far a place of one surface may be behind the other one [mm]: the
-     * surfaces have moved there, or overlap as drawn. What is further behind is
-     * the far side of a body.
+     * The depth to which a place of one surface may be behind the other one
+     * [mm]: the surfaces have moved there, or overlap as drawn. A face that is
+     * further in front is the far side of a body.
      */
     double reach(const DeformedSurface<dim> &slave_now,
                  const DeformedSurface<dim> &master_now) const;

@@ -84,7 +84,7 @@ namespace Contact
    * 2 in four parts, bilinear between their nodes. The common polygons are cut
    * into triangles with Gauss points. Integrals are over the undeformed slave.
    * Of master facets that lie one behind the other, the nearest is the partner.
-   * What is further behind the slave than @p reach is the far side of a body,
+   * A facet further behind the slave than @p reach is the far side of a body,
    * and none.
    */
   class FaceSegments

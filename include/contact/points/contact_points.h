@@ -175,8 +175,8 @@ namespace Contact
     /// leave all others as they are.
     bool is_rest = false;
 
-    /// How far a place may be behind what it faces [mm]: what is deeper is the
-    /// far side of a body, see ContactPair::reach().
+    /// The depth to which a place may be behind what it faces [mm], see
+    /// ContactPair::reach().
     double reach = std::numeric_limits<double>::max();
   };
 

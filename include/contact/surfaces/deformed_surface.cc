@@ -249,7 +249,7 @@ namespace Contact
   DeformedSurface<dim>::closest_facing(const Point<dim>      &x,
                                        const NormalCone<dim> &directions) const
   {
-    // How far the place is behind it.
+    // The place is no deeper behind it than it may be.
     const auto is_near = [&](const Projection<dim> &candidate,
                              const Tensor<1, dim>  &n) {
       return (position(candidate.facet, candidate.xi) - x) * n <=

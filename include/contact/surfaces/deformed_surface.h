@@ -41,7 +41,7 @@ namespace Contact
     /// The distance beyond the end of a face up to which it looks [mm].
     double reach = std::numeric_limits<double>::max();
 
-    /// How far the place may be behind a face [mm].
+    /// The depth to which the place may be behind a face [mm].
     double depth = std::numeric_limits<double>::max();
 
     /**
