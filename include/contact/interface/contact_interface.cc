@@ -14,7 +14,6 @@
 #include "base/errors.h"
 #include "base/string_utilities.h"
 #include "contact/surfaces/surface_checks.h"
-#include "contact/surfaces/surface_overlap.h"
 
 namespace Contact
 {
@@ -52,27 +51,33 @@ namespace Contact
       all_points.size());
     frames = PointFrames<dim>(all_points, pairs);
     frames.find_other_sides(all_points, made);
-    measure_overlaps(made);
+    find_bodies(made);
   }
 
 
 
   template<int dim>
-  void ContactInterface<dim>::measure_overlaps(
+  void ContactInterface<dim>::find_bodies(
     const std::vector<ContactPair<dim> *> &of_pairs) const
   {
-    std::vector<ContactPair<dim> *> with_master;
-    std::vector<std::pair<const Surface<dim> *, const Surface<dim> *>> surfaces;
+    const auto part = [](const Surface<dim> &surface) {
+      return surface.facets[0].part;
+    };
+    std::map<unsigned int, std::vector<const Surface<dim> *>> of_part;
+    for (const ContactPair<dim> *const contact_pair : of_pairs)
+      if (contact_pair->master)
+        for (const Surface<dim> *surface :
+             {&contact_pair->slave, &*contact_pair->master})
+          if (auto &there = of_part[part(*surface)];
+              std::none_of(there.begin(), there.end(), [&](const auto *other) {
+                return overlap(*surface, *other);
+              }))
+            there.push_back(surface);
     for (ContactPair<dim> *const contact_pair : of_pairs)
       if (contact_pair->master)
-        {
-          with_master.push_back(contact_pair);
-          surfaces.emplace_back(&contact_pair->slave, &*contact_pair->master);
-        }
-    const auto overlaps =
-      overlaps_as_drawn<dim>(surfaces, discretization.communicator);
-    for (unsigned int i = 0; i < overlaps.size(); ++i)
-      with_master[i]->overlap_as_drawn = overlaps[i];
+        contact_pair->surfaces_of_bodies = {
+          {of_part[part(contact_pair->slave)],
+           of_part[part(*contact_pair->master)]}};
   }
 
 

@@ -407,9 +407,8 @@ namespace Contact
                             const GhostedVector     &u_start) const;
 
   private:
-    /// Tell the contact pairs by how much they overlap as drawn.
-    void
-    measure_overlaps(const std::vector<ContactPair<dim> *> &of_pairs) const;
+    /// Tell contact pairs the surfaces of others on the same bodies.
+    void find_bodies(const std::vector<ContactPair<dim> *> &of_pairs) const;
 
     /// The direction of slip of a point that cannot stick.
     typename PointStatus<dim>::Direction

@@ -166,7 +166,10 @@ namespace Contact
   {
     const std::string section = parameters.section();
     if (master)
-      check_surfaces(slave, *master, discretization, parameters);
+      {
+        check_surfaces(slave, *master, discretization, parameters);
+        surfaces_of_bodies = {{{&slave}, {&*master}}};
+      }
 
     for (const std::string &point : parameters.excluded_points)
       {

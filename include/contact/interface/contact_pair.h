@@ -14,6 +14,7 @@
 #include "contact/obstacles/free_motion.h"
 #include "contact/obstacles/obstacle.h"
 #include "contact/points/contact_points.h"
+#include "contact/surfaces/body_overlap.h"
 #include "solid/elasticity.h"
 
 namespace Contact
@@ -100,6 +101,9 @@ namespace Contact
     std::map<unsigned int,
              std::vector<std::pair<const Surface<dim> *, unsigned int>>>
       other_sides;
+
+    /// The surfaces of all contact pairs on the bodies of slave and master.
+    typename BodyOverlap<dim>::Surfaces surfaces_of_bodies;
 
     /// Their place among the points of all contact pairs.
     unsigned int first_point = 0, n_points = 0;
@@ -191,16 +195,6 @@ namespace Contact
 
     /// The undeformed place of a point [mm].
     Point<dim> place(const ContactPoint<dim> &point) const;
-
-    /**
-     * The depth to which a place of one surface may be behind the other one
-     * [mm]: the surfaces have moved there, or overlap as drawn. A face that is
-     * further in front is the far side of a body.
-     */
-    double reach(const DeformedSurface<dim> &slave_now,
-                 const DeformedSurface<dim> &master_now) const;
-
-    double overlap_as_drawn = 0; // [mm]
 
   private:
     NormalCone<dim>                directions(const ContactPoint<dim>    &point,

@@ -53,20 +53,19 @@ namespace Contact
       return ArrayView<ContactPoint<dim>>(points.data() + first, end - first);
     };
     // Surfaces that are kept apart push each other without touching.
-    PairingMode of_pair = mode;
-    if (master)
-      of_pair.reach = reach({slave, u}, {*master, u});
-    PairingMode of_mortar = of_pair;
+    PairingMode of_mortar = mode;
     if (interference->added() != 0)
       of_mortar.keeps_open_points = of_mortar.leaves_far_points = false;
     const auto of_discretization = part(0, n_of_discretization);
-    bool       changed = mortar ? mortar->pair(of_discretization, u, of_mortar)
-                                : project(of_discretization, u, of_pair);
+    bool       changed =
+      mortar
+              ? mortar->pair(of_discretization, u, of_mortar, {surfaces_of_bodies, u})
+              : project(of_discretization, u, mode);
     if (n_of_discretization < n_of_slave)
       changed =
-        project(part(n_of_discretization, n_of_slave), u, of_pair) || changed;
+        project(part(n_of_discretization, n_of_slave), u, mode) || changed;
     if (has_corner_points())
-      changed = pair_corners(part(n_of_slave, n_points), u, of_pair) || changed;
+      changed = pair_corners(part(n_of_slave, n_points), u, mode) || changed;
 
     // A nodal point looks from its own place, where the corner is.
     for (unsigned int q = n_of_slave; q < n_points; ++q)
@@ -82,16 +81,6 @@ namespace Contact
 
 
   template<int dim>
-  double ContactPair<dim>::reach(const DeformedSurface<dim> &slave_now,
-                                 const DeformedSurface<dim> &master_now) const
-  {
-    return slave_now.largest_displacement() +
-           master_now.largest_displacement() + overlap_as_drawn;
-  }
-
-
-
-  template<int dim>
   bool
   ContactPair<dim>::pair_corners(const ArrayView<ContactPoint<dim>> &corners,
                                  const GhostedVector                &u,
@@ -101,9 +90,9 @@ namespace Contact
     pair_corner_points(corners,
                        {*master, u},
                        {slave, u},
+                       {surfaces_of_bodies, u},
                        discretization,
-                       u,
-                       mode.reach);
+                       u);
     for (ContactPoint<dim> &corner : corners)
       differentiate(corner, u, mode);
     return !std::equal(corners.begin(),
@@ -163,12 +152,15 @@ namespace Contact
       }
 
     const DeformedSurface<dim> master_now(*master, u);
+    const BodyOverlap<dim>     bodies(surfaces_of_bodies, u);
     bool                       changed = false;
     for (ContactPoint<dim> &point : points)
       {
         const auto      old_nodes = point.nodes;
         NormalCone<dim> here      = directions(point, now, u);
-        here.depth                = here.reach + mode.reach;
+        here.overlap              = [&](const auto &x, const auto &y) {
+          return bodies.is_between(x, 0, y);
+        };
         pair_with_master(point,
                          here,
                          master_now,

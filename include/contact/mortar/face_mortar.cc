@@ -104,14 +104,15 @@ namespace Contact
 
   bool MortarDiscretization<3>::pair(const ArrayView<ContactPoint<3>> &points,
                                      const GhostedVector              &u,
-                                     const PairingMode &mode) const
+                                     const PairingMode                &mode,
+                                     const BodyOverlap<3> &bodies) const
   {
     std::vector<PointPairing<3>::PerNode<const SurfaceNode<3> *>> old_nodes;
     for (const ContactPoint<3> &point : points)
       old_nodes.push_back(point.nodes);
     const auto numbers = keep_pairings(points, u, mode);
     if (!numbers.empty())
-      pair_anew(points, numbers, u, mode);
+      pair_anew(points, numbers, u, mode.with_derivatives, bodies);
     for (const unsigned int q : numbers)
       {
         last.weights[q]         = points[q].weight;
@@ -227,23 +228,23 @@ namespace Contact
   MortarDiscretization<3>::pair_anew(const ArrayView<ContactPoint<3>> &points,
                                      const std::vector<unsigned int>  &numbers,
                                      const GhostedVector              &u,
-                                     const PairingMode &mode) const
+                                     const bool            with_derivatives,
+                                     const BodyOverlap<3> &bodies) const
   {
     if (!point_shares)
       point_shares.emplace(points.size(), discretization.communicator);
     std::vector<bool> changes(points.size(), false);
     for (const unsigned int q : numbers)
-      changes[q] =
-        mode.with_derivatives && points[q].status.kind != Status::open;
+      changes[q] = with_derivatives && points[q].status.kind != Status::open;
     const std::vector<unsigned int> own = point_shares->own(numbers, changes);
     std::vector<bool>               is_own(slave.nodes.size(), false);
     for (const unsigned int q : own)
       is_own[slave_node(points[q])] = true;
 
-    const FaceConfiguration    now(slave, master, planes, u);
-    FaceSegments               segments(slave, master, now, mode.reach);
-    std::vector<NodeIntegrals> of_nodes(slave.nodes.size());
-    std::vector<float>         seconds(slave.nodes.size(), 0);
+    const FaceConfiguration                now(slave, master, planes, u);
+    FaceSegments                           segments(slave, master, now, bodies);
+    std::vector<NodeIntegrals>             of_nodes(slave.nodes.size());
+    std::vector<float>                     seconds(slave.nodes.size(), 0);
     std::vector<std::vector<Tensor<1, 3>>> distances(slave.facets.size());
     for (const unsigned int q : own)
       if (changes[q])

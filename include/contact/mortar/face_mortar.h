@@ -50,7 +50,8 @@ namespace Contact
 
     bool pair(const ArrayView<ContactPoint<3>> &points,
               const GhostedVector              &u,
-              const PairingMode                &mode = {}) const;
+              const PairingMode                &mode,
+              const BodyOverlap<3>             &bodies) const;
 
   private:
     using NodeIntegrals = FaceIntegrals::NodeIntegrals;
@@ -79,7 +80,8 @@ namespace Contact
     void pair_anew(const ArrayView<ContactPoint<3>> &points,
                    const std::vector<unsigned int>  &numbers,
                    const GhostedVector              &u,
-                   const PairingMode                &mode) const;
+                   const bool                        with_derivatives,
+                   const BodyOverlap<3>             &bodies) const;
 
     void         fill_in(const NodeIntegrals     &integrals,
                          const unsigned int       node,

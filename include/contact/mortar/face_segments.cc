@@ -243,11 +243,11 @@ namespace Contact
   FaceSegments::FaceSegments(const Surface<3>        &slave,
                              const Surface<3>        &master,
                              const FaceConfiguration &now,
-                             const double             reach)
+                             const BodyOverlap<3>    &bodies)
     : slave(slave)
     , master(master)
     , now(now)
-    , reach(reach)
+    , bodies(bodies)
     , closest(slave.nodes.size())
   {
   }
@@ -421,13 +421,14 @@ namespace Contact
 
   void FaceSegments::remove_far_sides(const SlaveFacet &own)
   {
-    const double depth =
-      reach + DeformedSurface<3>::overhang * slave.reference_length(own.index);
-    of_facet.erase(std::remove_if(of_facet.begin(),
-                                  of_facet.end(),
-                                  [&](const FaceSample &sample) {
-                                    return sample.distance * own.normal > depth;
-                                  }),
+    const double slack =
+      DeformedSurface<3>::overhang * slave.reference_length(own.index);
+    const auto is_far = [&](const FaceSample &sample) {
+      const Point<3> x = place_of(sample, own);
+      return sample.distance * own.normal > slack &&
+             !bodies.is_between(x, 0, x - sample.distance);
+    };
+    of_facet.erase(std::remove_if(of_facet.begin(), of_facet.end(), is_far),
                    of_facet.end());
   }
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "contact/mortar/face_dual_functions.h"
-#include "contact/surfaces/deformed_surface.h"
+#include "contact/surfaces/body_overlap.h"
 #include "contact/surfaces/face_clipping.h"
 #include "contact/surfaces/symmetry_planes.h"
 
@@ -84,8 +84,7 @@ namespace Contact
    * 2 in four parts, bilinear between their nodes. The common polygons are cut
    * into triangles with Gauss points. Integrals are over the undeformed slave.
    * Of master facets that lie one behind the other, the nearest is the partner.
-   * A facet further behind the slave than @p reach is the far side of a body,
-   * and none.
+   * A far side of a body is none.
    */
   class FaceSegments
   {
@@ -93,7 +92,7 @@ namespace Contact
     FaceSegments(const Surface<3>        &slave,
                  const Surface<3>        &master,
                  const FaceConfiguration &now,
-                 const double             reach);
+                 const BodyOverlap<3>    &bodies);
 
     /// The Gauss points of a slave facet, in a list that is used again.
     const std::vector<FaceSample> &samples(const unsigned int slave_facet);
@@ -132,7 +131,7 @@ namespace Contact
 
     const Surface<3>        &slave, &master;
     const FaceConfiguration &now;
-    const double             reach; // [mm]
+    const BodyOverlap<3>    &bodies;
 
     /// The closest point of the master to a node of the slave.
     struct Closest

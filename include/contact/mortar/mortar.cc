@@ -79,10 +79,11 @@ namespace Contact
 
   bool MortarDiscretization<2>::pair(const ArrayView<ContactPoint<2>> &points,
                                      const GhostedVector              &u,
-                                     const PairingMode &mode) const
+                                     const PairingMode                &mode,
+                                     const BodyOverlap<2> &bodies) const
   {
     const MortarGeometry<double> now(slave, master, discretization, u);
-    const MortarSegments         segments(now, u, mode.reach);
+    const MortarSegments         segments(now, u, bodies);
     std::vector<MortarOverlap>   overlaps;
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
       overlaps.push_back(segments.overlap(e));

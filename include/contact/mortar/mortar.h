@@ -10,6 +10,7 @@
 
 #include "contact/mortar/mortar_integrals.h"
 #include "contact/points/contact_points.h"
+#include "contact/surfaces/body_overlap.h"
 
 namespace Contact
 {
@@ -89,7 +90,8 @@ namespace Contact
      */
     bool pair(const ArrayView<ContactPoint<2>> &points,
               const GhostedVector              &u,
-              const PairingMode                &mode = {}) const;
+              const PairingMode                &mode,
+              const BodyOverlap<2>             &bodies) const;
 
   private:
     void fill_in(const MortarGeometry<double> &now,

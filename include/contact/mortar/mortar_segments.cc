@@ -26,9 +26,9 @@ namespace Contact
 
   MortarSegments::MortarSegments(const MortarGeometry<double> &geometry,
                                  const GhostedVector          &u,
-                                 const double                  reach)
+                                 const BodyOverlap<2>         &bodies)
     : now(geometry)
-    , reach(reach)
+    , bodies(bodies)
     , search(geometry.master, u)
   {
     Tensor<1, 2> low = now.slave_x[0], high = low;
@@ -212,8 +212,8 @@ namespace Contact
     auto            n = now.slave_normal(slave_facet, shape.value);
     n /= n.norm();
     const NormalCone<2> direction{{-n}};
-    const double        depth = reach + DeformedSurface<2>::overhang *
-                                   now.slave.reference_length(slave_facet);
+    const double        slack =
+      DeformedSurface<2>::overhang * now.slave.reference_length(slave_facet);
     for (const unsigned int m : candidates)
       {
         const double master_xi = now.projection_on_edge(x, n, m);
@@ -227,7 +227,9 @@ namespace Contact
         if (std::abs(cross(r, n)) > 1e-8 * size)
           continue;
         Hit &hit = r * n >= 0 ? ahead : behind;
-        if (std::abs(r * n) < hit.distance && -(r * n) <= depth)
+        if (std::abs(r * n) < hit.distance &&
+            (-(r * n) <= slack ||
+             bodies.is_between(Point<2>(x), 0, Point<2>(x - r))))
           hit = {m,
                  std::abs(r * n),
                  direction.faces(search.normal(m, master_xi))};

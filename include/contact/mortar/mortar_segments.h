@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "contact/mortar/mortar_geometry.h"
-#include "contact/surfaces/deformed_surface.h"
+#include "contact/surfaces/body_overlap.h"
 
 namespace Contact
 {
@@ -94,7 +94,7 @@ namespace Contact
     /// In the configuration @p u, which is that of @p geometry.
     MortarSegments(const MortarGeometry<double> &geometry,
                    const GhostedVector          &u,
-                   const double                  reach);
+                   const BodyOverlap<2>         &bodies);
 
     /// The part of a slave edge that faces the master.
     MortarOverlap overlap(const unsigned int slave_facet) const;
@@ -127,7 +127,7 @@ namespace Contact
                                          const double       reach) const;
 
     const MortarGeometry<double> &now;
-    const double                  reach;  // [mm]
+    const BodyOverlap<2>         &bodies;
     const DeformedSurface<2>      search; // on the master
     double                        size;   // of both surfaces together [mm]
   };

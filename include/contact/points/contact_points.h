@@ -174,10 +174,6 @@ namespace Contact
     /// The surfaces are where they were: pair those that have kept theirs, and
     /// leave all others as they are.
     bool is_rest = false;
-
-    /// The depth to which a place may be behind what it faces [mm], see
-    /// ContactPair::reach().
-    double reach = std::numeric_limits<double>::max();
   };
 
 

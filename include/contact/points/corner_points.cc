@@ -117,17 +117,19 @@ namespace Contact
   void pair_corner_points(const ArrayView<ContactPoint<dim>> &corners,
                           const DeformedSurface<dim>         &master,
                           const DeformedSurface<dim>         &slave,
+                          const BodyOverlap<dim>             &bodies,
                           const Discretization<dim>          &discretization,
-                          const GhostedVector                &u,
-                          const double                        reach)
+                          const GhostedVector                &u)
   {
     for (ContactPoint<dim> &corner : corners)
       {
         // A slave edge beside the end of the master does not obstruct it.
         NormalCone<dim> directions = directions_of(corner, master);
         directions.at_end          = false;
-        directions.depth           = directions.reach + reach;
-        corner.projection          = Point<dim>();
+        directions.overlap         = [&](const auto &x, const auto &y) {
+          return bodies.is_between(x, 1, y);
+        };
+        corner.projection = Point<dim>();
         pair_with_master(corner, directions, slave, discretization, u);
         const double length =
           slave.surface.reference_length(corner.master_facet);
@@ -167,9 +169,9 @@ namespace Contact
   template void   pair_corner_points(const ArrayView<ContactPoint<dim>> &,    \
                                      const DeformedSurface<dim> &,            \
                                      const DeformedSurface<dim> &,            \
+                                     const BodyOverlap<dim> &,                \
                                      const Discretization<dim> &,             \
-                                     const GhostedVector &,                   \
-                                     const double);                           \
+                                     const GhostedVector &);                  \
   template unsigned int node_at_foot(const ContactPoint<dim> &,               \
                                      const Surface<dim> &);
   INSTANTIATE(2)

@@ -7,6 +7,7 @@
 #define contact_corner_points_h
 
 #include "contact/points/contact_points.h"
+#include "contact/surfaces/body_overlap.h"
 
 namespace Contact
 {
@@ -63,16 +64,15 @@ namespace Contact
    * Pair corner points with the slave in the configuration @p u.
    *
    * They face nothing at the end of a face of the slave, where corners of both
-   * bodies stand on each other and a slave node sees the master, nor further
-   * behind the slave than @p reach [mm].
+   * bodies stand on each other and a slave node sees the master.
    */
   template<int dim>
   void pair_corner_points(const ArrayView<ContactPoint<dim>> &corners,
                           const DeformedSurface<dim>         &master,
                           const DeformedSurface<dim>         &slave,
+                          const BodyOverlap<dim>             &bodies,
                           const Discretization<dim>          &discretization,
-                          const GhostedVector                &u,
-                          const double                        reach);
+                          const GhostedVector                &u);
 
   /**
    * The slave node that the projection of a corner is at, closer than a

@@ -13,12 +13,34 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/surfaces/surface_overlap.h"
-
 namespace Contact
 {
   namespace
   {
+    /// Places of a facet, with its nodes or between them only.
+    template<int dim>
+    std::vector<FacetPoint<dim>> places_of_facet(const bool with_nodes);
+
+    template<>
+    std::vector<FacetPoint<2>> places_of_facet<2>(const bool with_nodes)
+    {
+      if (with_nodes)
+        return {-1., -0.5, 0., 0.5, 1.};
+      return {-0.5, 0., 0.5};
+    }
+
+    template<>
+    std::vector<FacetPoint<3>> places_of_facet<3>(const bool with_nodes)
+    {
+      std::vector<FacetPoint<3>> places;
+      for (const double xi : places_of_facet<2>(with_nodes))
+        for (const double eta : places_of_facet<2>(with_nodes))
+          places.emplace_back(xi, eta);
+      return places;
+    }
+
+
+
     /// By how much each facet may be beside the surface that it stands for, by
     /// the angles between the facets that meet smoothly at its nodes, as drawn:
     /// the sagitta. Corners and ends stand for themselves.
@@ -44,35 +66,72 @@ namespace Contact
 
 
 
-    /// The deepest place of a surface.
+    /// The largest displacement of a node [mm].
+    template<int dim>
+    double largest_way(const DeformedSurface<dim> &now)
+    {
+      double largest = 0;
+      for (unsigned int i = 0; i < now.positions.size(); ++i)
+        largest =
+          std::max(largest, now.positions[i].distance(now.surface.nodes[i].X));
+      return largest;
+    }
+
+
+
+    /// The deepest place of @p surface. Each process looks at its share of the
+    /// facets. A place further behind the other surface than its facet is long,
+    /// or than the surfaces have moved, has come there around it.
     template<int dim>
     void look(const DeformedSurface<dim> &own,
               const DeformedSurface<dim> &facing,
               const bool                  is_master,
               const MPI_Comm              communicator,
-              const double                reach,
+              const BodyOverlap<dim>     &bodies,
+              const double                way,
               const bool                  as_drawn,
               ContactDepth<dim>          &deepest)
     {
-      const DeformedSurface<dim> drawn(own.surface, {}),
-        other_drawn(facing.surface, {});
+      const Surface<dim>        &surface = own.surface, &other = facing.surface;
+      const DeformedSurface<dim> drawn(surface, {}), other_drawn(other, {});
       const auto of_own = sagittas(drawn), of_other = sagittas(other_drawn);
-      visit_overlaps<dim>(own,
-                          facing,
-                          reach,
-                          communicator,
-                          [&](const OverlappingPlace<dim> &place) {
-                            const unsigned int e = place.facet,
-                                               f = place.opposite.facet;
-                            const double depth =
-                              as_drawn ? place.depth
-                                       : place.depth - of_own[e] - of_other[f];
-                            if (depth > deepest.depth)
-                              deepest = {depth,
-                                         is_master,
-                                         drawn.position(e, place.xi),
-                                         is_master ? f : e};
-                          });
+      double     longest = 0;
+      for (unsigned int f = 0; f < other.facets.size(); ++f)
+        longest = std::max(longest, other.reference_length(f));
+      const auto is_close = facing.may_be_close(own, longest);
+      const auto places   = places_of_facet<dim>(/*with_nodes=*/true);
+      for (const unsigned int e :
+           Utilities::MPI::create_evenly_distributed_partitioning(
+             communicator,
+             surface.facets.size()))
+        for (const FacetPoint<dim> &xi : places)
+          {
+            if (!is_close[e])
+              break;
+            const Point<dim> x = own.position(e, xi);
+            NormalCone<dim>  directions{{own.normal(e, xi)}};
+            directions.reach   = 0;
+            directions.overlap = [&](const auto &a, const auto &b) {
+              return bodies.is_between(a, is_master, b);
+            };
+            const auto projection = facing.closest_facing(x, directions);
+            const unsigned int f  = projection.facet;
+            if (projection.off_the_end || projection.clipped ||
+                largest_coordinate(projection.xi) > 1)
+              continue;
+            const double behind = -((x - facing.position(f, projection.xi)) *
+                                    facing.normal(f, projection.xi));
+            if (behind <= 0 ||
+                behind >= std::min(way, other.reference_length(f)))
+              continue;
+            const double depth =
+              as_drawn ? behind : behind - of_own[e] - of_other[f];
+            if (depth > deepest.depth)
+              deepest = {depth,
+                         is_master,
+                         drawn.position(e, xi),
+                         is_master ? f : e};
+          }
     }
 
 
@@ -157,9 +216,19 @@ namespace Contact
       {
         const DeformedSurface<dim> slave(contact_pair.slave, u),
           master(*contact_pair.master, u);
-        const double reach = contact_pair.reach(slave, master);
-        look(slave, master, false, communicator, reach, as_drawn, deepest);
-        look(master, slave, true, communicator, reach, as_drawn, deepest);
+        const BodyOverlap<dim> bodies(contact_pair.surfaces_of_bodies, u);
+        const double way = as_drawn ? std::numeric_limits<double>::max()
+                                    : largest_way(slave) + largest_way(master) +
+                                        contact_pair.interference->at_start;
+        look(slave,
+             master,
+             false,
+             communicator,
+             bodies,
+             way,
+             as_drawn,
+             deepest);
+        look(master, slave, true, communicator, bodies, way, as_drawn, deepest);
         compare(communicator, deepest);
       }
     else

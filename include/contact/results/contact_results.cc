@@ -50,9 +50,9 @@ namespace Contact
       pair_corner_points(make_array_view(corners.begin(), corners.end()),
                          master,
                          slave,
+                         {contact_pair.surfaces_of_bodies, u},
                          contact_pair.discretization,
-                         u,
-                         contact_pair.reach(slave, master));
+                         u);
       for (const ContactPoint<2> &corner : corners)
         {
           const SurfaceFacet<2> &edge =

@@ -93,9 +93,11 @@ namespace Contact
 
   template<int dim>
   DeformedSurface<dim>::DeformedSurface(const Surface<dim>  &surface,
-                                        const GhostedVector &u)
+                                        const GhostedVector &u,
+                                        const double         overhang)
     : surface(surface)
     , positions(surface.positions(u))
+    , beyond_ends(overhang)
   {
   }
 
@@ -174,8 +176,8 @@ namespace Contact
                               const double       extension) const
   {
     const auto &ends = surface.facets[facet].ends_face;
-    return {-1 - std::max(extension, ends[2 * k] ? overhang : 0.),
-            1 + std::max(extension, ends[2 * k + 1] ? overhang : 0.)};
+    return {-1 - std::max(extension, ends[2 * k] ? beyond_ends : 0.),
+            1 + std::max(extension, ends[2 * k + 1] ? beyond_ends : 0.)};
   }
 
 
@@ -249,11 +251,11 @@ namespace Contact
   DeformedSurface<dim>::closest_facing(const Point<dim>      &x,
                                        const NormalCone<dim> &directions) const
   {
-    // The place is no deeper behind it than it may be.
     const auto is_near = [&](const Projection<dim> &candidate,
                              const Tensor<1, dim>  &n) {
-      return (position(candidate.facet, candidate.xi) - x) * n <=
-             directions.depth;
+      const Point<dim> y = position(candidate.facet, candidate.xi);
+      return (y - x) * n <= directions.reach || !directions.overlap ||
+             directions.overlap(x, y);
     };
     Projection<dim> found = choose(x, [&](const Projection<dim> &candidate) {
       const Tensor<1, dim> n = normal(candidate.facet, candidate.xi);
@@ -286,17 +288,6 @@ namespace Contact
   Projection<dim> DeformedSurface<dim>::closest_alone(const Point<dim> &x) const
   {
     return closest(x, [](const Projection<dim> &) { return true; });
-  }
-
-
-
-  template<int dim>
-  double DeformedSurface<dim>::largest_displacement() const
-  {
-    double largest = 0;
-    for (unsigned int i = 0; i < positions.size(); ++i)
-      largest = std::max(largest, positions[i].distance(surface.nodes[i].X));
-    return largest;
   }
 
 

@@ -41,8 +41,9 @@ namespace Contact
     /// The distance beyond the end of a face up to which it looks [mm].
     double reach = std::numeric_limits<double>::max();
 
-    /// The depth to which the place may be behind a face [mm].
-    double depth = std::numeric_limits<double>::max();
+    /// Whether the place @p x may be further than that behind a place @p y of a
+    /// face, as both bodies overlap there; it may if nothing is given.
+    std::function<bool(const Point<dim> &x, const Point<dim> &y)> overlap{};
 
     /**
      * Faces whose normals are further from opposite than this do not face each
@@ -105,16 +106,16 @@ namespace Contact
   class DeformedSurface
   {
   public:
-    /// In the configuration @p u; of an empty vector the undeformed one.
-    DeformedSurface(const Surface<dim> &surface, const GhostedVector &u);
+    /// In the configuration @p u; of an empty vector the undeformed one. Faces
+    /// go on beyond their ends by @p overhang.
+    DeformedSurface(const Surface<dim>  &surface,
+                    const GhostedVector &u,
+                    const double         overhang = DeformedSurface::overhang);
 
     const Surface<dim> &surface;
 
     /// Of the nodes [mm].
     const std::vector<Point<dim>> positions;
-
-    /// The largest displacement of a node [mm].
-    double largest_displacement() const;
 
     /// A place of a facet.
     Point<dim> position(const unsigned int     facet,
@@ -234,6 +235,7 @@ namespace Contact
 
     const Tree &tree() const;
 
+    const double                             beyond_ends;
     mutable std::optional<Tree>              boxes;
     mutable std::optional<FacetNormals<dim>> of_facets;
   };

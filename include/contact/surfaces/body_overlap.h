@@ -1,0 +1,54 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_body_overlap_h
+#define contact_body_overlap_h
+
+#include <array>
+#include <list>
+
+#include "contact/surfaces/deformed_surface.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /**
+   * Whether two bodies overlap between two places, in one configuration. What a
+   * place of a surface faces behind it is either what it has gone through, or
+   * the far side of a body. In an overlap the line between both is inside of
+   * both bodies: its ends are inside of the other's, and its middle of both.
+   * Inside of a body is what lies behind the closest of all of its surfaces
+   * that are known.
+   */
+  template<int dim>
+  class BodyOverlap
+  {
+  public:
+    /// The known surfaces of two bodies.
+    using Surfaces = std::array<std::vector<const Surface<dim> *>, 2>;
+
+    BodyOverlap(const Surfaces &surfaces, const GhostedVector &u);
+
+    /// Whether the bodies overlap between a place @p x of the body @p of_x and
+    /// a place @p y of the other one. Places no further outside of a body than
+    /// DeformedSurface::overhang times the length of the closest facet count as
+    /// inside.
+    bool is_between(const Point<dim>  &x,
+                    const unsigned int of_x,
+                    const Point<dim>  &y) const;
+
+  private:
+    bool is_inside(const Point<dim> &x, const unsigned int body) const;
+
+    const Surfaces      &surfaces;
+    const GhostedVector &u;
+
+    /// Made when they are first asked for.
+    mutable std::array<std::list<DeformedSurface<dim>>, 2> deformed;
+  };
+} // namespace Contact
+
+#endif
