@@ -351,10 +351,14 @@ namespace Contact
                                           parameters.solids);
       const auto pairs = parameters.pairs();
       if (!pairs.empty())
-        model.interface =
-          std::make_unique<ContactInterface<dim>>(*model.discretization,
-                                                  *model.elasticity,
-                                                  pairs);
+        {
+          model.interface =
+            std::make_unique<ContactInterface<dim>>(*model.discretization,
+                                                    *model.elasticity,
+                                                    pairs);
+          model.interface->bounds_follow =
+            parameters.solution.friction == Parameters::FrictionLoop::newton;
+        }
       state.reinit(model);
       stress_peaks = StressPeaks<dim>();
       invariants = std::make_unique<InvariantCheck<dim>>(*model.discretization,

@@ -229,8 +229,6 @@ expect "projections move" "$good" --set Contact/Discretization=mortar \
   --set "$condensed" --set Solution/Geometry=Newton
 expect "projections move" "$good" --set "$condensed" \
   --set Solution/Geometry=Newton
-expect "in a loop or in the tangent" "$friction" --set "$saddle" \
-  --set "Solution/Friction=lagged bound"
 
 # Loads, geometry and theories
 expect_entry "is no formula in t" "Boundary conditions/Histories=Force y: 2*"

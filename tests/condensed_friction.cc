@@ -58,10 +58,10 @@ namespace
              std::to_string(degree));
     CondensedModel linear(sliding_block(rule, degree, "small strain"),
                           "CHOLMOD",
-                          /*moving_bound=*/true);
+                          /*bounds_follow=*/true);
     CondensedModel model(sliding_block(rule, degree, "large displacement"),
                          "CHOLMOD",
-                         /*moving_bound=*/true);
+                         /*bounds_follow=*/true);
     check("both converge at half of the load",
           linear.solve(0.5) && model.solve(0.5));
     const StatusCount count = model.interface->count();

@@ -13,7 +13,7 @@
 namespace Tests
 {
   /// Two bodies in contact, without multipliers in the linear system. With
-  /// @p moving_bound Newton's method does friction.
+  /// @p bounds_follow Newton's method does friction.
   template<int dim>
   struct CondensedModelIn : public BodiesIn<dim>
   {
@@ -22,10 +22,9 @@ namespace Tests
     using BodiesIn<dim>::n_dofs;
 
     explicit CondensedModelIn(const Parameters::All &parameters,
-                              const std::string     &solver_name  = "CHOLMOD",
-                              const bool             moving_bound = false)
+                              const std::string     &solver_name   = "CHOLMOD",
+                              const bool             bounds_follow = false)
       : BodiesIn<dim>(parameters)
-      , moving_bound(moving_bound)
       , interface(std::make_unique<ContactInterface<dim>>(discretization,
                                                           *elasticity,
                                                           parameters.pairs()))
@@ -35,6 +34,7 @@ namespace Tests
       , rhs(solution)
       , update(n_dofs())
     {
+      interface->bounds_follow = bounds_follow;
       make_system(solver_name);
     }
 
@@ -42,8 +42,7 @@ namespace Tests
     {
       condensed.reset();
       elimination = std::make_unique<ContactElimination<dim>>(discretization,
-                                                              interface.get(),
-                                                              moving_bound);
+                                                              interface.get());
       condensed   = std::make_unique<AssembledSystem<dim>>(
         discretization,
         *elasticity,
@@ -86,13 +85,12 @@ namespace Tests
       elasticity->assemble(solution, load_factor, rhs, nullptr);
       if (after_a_step)
         {
-          elimination->recover_pressures(rhs, start, solution);
-          elimination->recover_shears(rhs, start, solution);
+          elimination->recover_multipliers(rhs, start, solution);
         }
       const unsigned int n_changes =
-        interface->update_statuses(solution, start, moving_bound, after_a_step);
+        interface->update_statuses(solution, start, after_a_step);
       ContactKernel<dim>(*interface)
-        .assemble(solution, start, {false, moving_bound}, rhs, nullptr);
+        .assemble(solution, start, {false}, rhs, nullptr);
       return n_changes;
     }
 
@@ -129,7 +127,7 @@ namespace Tests
         {
           if (newton(load_factor) == 0)
             return false;
-          if (moving_bound)
+          if (interface->bounds_follow)
             return true;
           if (interface->update_bounds(solution, start) < 1e-12)
             return true;
@@ -137,7 +135,6 @@ namespace Tests
       return false;
     }
 
-    const bool                               moving_bound;
     std::unique_ptr<ContactInterface<dim>>   interface;
     std::unique_ptr<ContactElimination<dim>> elimination;
     std::unique_ptr<AssembledSystem<dim>>    condensed;
@@ -165,24 +162,16 @@ namespace Tests
         model.elasticity->assemble(model.solution, 1, model.rhs, nullptr);
         if (step > 0)
           {
-            model.elimination->recover_pressures(model.rhs,
-                                                 model.start,
-                                                 model.solution);
-            model.elimination->recover_shears(model.rhs,
-                                              model.start,
-                                              model.solution);
+            model.elimination->recover_multipliers(model.rhs,
+                                                   model.start,
+                                                   model.solution);
           }
         if (statuses_follow)
           model.interface->update_statuses(model.solution,
                                            model.start,
-                                           model.moving_bound,
                                            /*keep=*/step > 0);
         ContactKernel<dim>(*model.interface)
-          .assemble(model.solution,
-                    model.start,
-                    {false, true},
-                    model.rhs,
-                    nullptr);
+          .assemble(model.solution, model.start, {false}, model.rhs, nullptr);
         const double scale =
           model.elasticity->forces(model.solution, 1).linfty_norm();
         if (step > 0)
@@ -247,7 +236,6 @@ namespace Tests
     const auto turning = SlipTurning<dim>::terms(*model.interface,
                                                  model.solution,
                                                  model.start,
-                                                 model.moving_bound,
                                                  /*any_rank_may_add=*/false);
     const auto forces  = [&](const double step) {
       GhostedVector du(y), rest(n), u(model.solution), rhs(u.size());

@@ -124,8 +124,8 @@ def difference(run, base, length=1.0, force=1.0, stress=1.0):
 
 
 # Every rule with a system it can have, and the loop of friction for that.
-FORMS = [("nodal", "condensed", "lagged bound"),
-         ("mortar", "condensed", "lagged bound"),
+FORMS = [("nodal", "condensed", "Newton"),
+         ("mortar", "condensed", "Newton"),
          ("nodal", "saddle point", "Newton"),
          ("mortar", "saddle point", "Newton"),
          ("Gauss", "saddle point", "Newton")]

@@ -154,7 +154,7 @@ def turning_path():
                              f"F{c}: contact force {c}, Cell_z0" for c in AXES)}
     limit, errors = point_by_rates(8000), []
     for loop, n in (("Newton", 20), ("Newton", 40), ("Newton", 80),
-                    ("fixed point", 20), ("lagged bound", 20)):
+                    ("fixed point", 20)):
         status, said, summary = run("cell", {
             **base, "Solution/Friction": loop, "Solution/Increments": n})
         what = f"path that turns, {loop}, {n} increments"

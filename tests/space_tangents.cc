@@ -128,7 +128,7 @@ namespace
   /// The distance of the points' tangent from difference quotients, in random
   /// directions of all unknowns, by the largest entry. Nothing but the state
   /// changes between these.
-  double kernel_error(const CondensedModelIn<3> &model, const bool moving_bound)
+  double kernel_error(CondensedModelIn<3> &model, const bool bounds_follow)
   {
     const unsigned int     n = model.solution.size();
     DynamicSparsityPattern couplings(n, n);
@@ -138,7 +138,8 @@ namespace
     SparseMatrix<double>       matrix(pattern);
     GhostedVector              unused(n);
     const ContactKernel<3>     kernel(*model.interface);
-    const ContactLinearization linearization{false, moving_bound};
+    const ContactLinearization linearization{false};
+    const BoundsWhile<3>       bounds(*model.interface, bounds_follow);
     kernel.assemble(model.solution,
                     model.start,
                     linearization,
@@ -187,14 +188,14 @@ namespace
       {"stick", {Status::stick, {}}},
       {"slip", {Status::slip, direction}}};
     for (const auto &[name, status] : statuses)
-      for (const bool moving_bound : {false, true})
+      for (const bool bounds_follow : {false, true})
         {
           auto points = model.interface->points();
           for (ContactPoint<3> &point : points)
             point.status = point.facing ? status : PointStatus<3>();
           model.interface->set_points(points);
-          check_small(name + (moving_bound ? ", moving bound" : ""),
-                      kernel_error(model, moving_bound),
+          check_small(name + (bounds_follow ? ", moving bound" : ""),
+                      kernel_error(model, bounds_follow),
                       1e-8);
         }
   }
@@ -279,7 +280,6 @@ namespace
     for (const auto &term : SlipTurning<3>::terms(*model.interface,
                                                   model.solution,
                                                   model.start,
-                                                  /*moving_bound=*/false,
                                                   /*any_rank_may_add=*/false))
       for (unsigned int i = 0; i < term.dofs.size(); ++i)
         for (unsigned int j = 0; j < term.dofs.size(); ++j)

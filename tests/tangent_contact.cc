@@ -190,13 +190,13 @@ namespace
     const bool slips = status.slip_direction != 0;
     bool       kept  = true;
     for (const bool moving_geometry : {false, true})
-      for (const bool moving_bound : {false, true})
-        if (slips || !moving_bound)
+      for (const bool bounds_follow : {false, true})
+        if (slips || !bounds_follow)
           {
-            const Result result =
-              compare(model, {moving_geometry, moving_bound});
+            const BoundsWhile<2> bounds(model.interface, bounds_follow);
+            const Result         result = compare(model, {moving_geometry});
             check_small(name + (moving_geometry ? ", moving geometry" : "") +
-                          (moving_bound ? ", moving bound" : ""),
+                          (bounds_follow ? ", moving bound" : ""),
                         result.error,
                         1e-8);
             kept = kept && result.edges_kept;

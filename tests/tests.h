@@ -370,7 +370,6 @@ namespace Tests
     {
       return interface.update_statuses(solution,
                                        start,
-                                       /*moving_bound=*/true,
                                        /*keep=*/true) > 0;
     }
 
@@ -402,7 +401,7 @@ namespace Tests
           elasticity->assemble(solution, load_factor, rhs, &matrix);
           ContactKernel<2>(interface).assemble(solution,
                                                start,
-                                               {moving_geometry, true},
+                                               {moving_geometry},
                                                rhs,
                                                &matrix);
           for (unsigned int i = 0; i < n_dofs(); ++i)
@@ -440,11 +439,7 @@ namespace Tests
       for (const ContactPoint<2> &point : interface.points())
         {
           const ContactState<2> now = interface.state(point, solution, start);
-          const Traction<2>     t   = interface.traction(point,
-                                                   point.status,
-                                                   now.p_trial,
-                                                   now.q_trial,
-                                                   true);
+          const Traction<2>     t   = interface.traction(point, now);
           for (unsigned int a = 0; a < point.n_nodes; ++a)
             for (unsigned int i = 0; i < 2; ++i)
               forces[point.dofs(a)[i]] +=

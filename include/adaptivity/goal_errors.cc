@@ -26,9 +26,7 @@ namespace Contact
     , timer(timer)
     , probes(parameters.probes.definitions())
     , linearization(
-        {/*moving_geometry=*/model.geometry_follows(parameters.solution),
-         /*moving_bound=*/model.interface &&
-           model.interface->has_coulomb_friction()})
+        {/*moving_geometry=*/model.geometry_follows(parameters.solution)})
   {
   }
 
@@ -236,7 +234,8 @@ namespace Contact
   GoalErrors::Residuals GoalErrors::pair_anew() const
   {
     const bool has_friction_loop =
-      linearization.moving_bound && !parameters.solution.has_moving_bound();
+      model.interface && model.interface->has_coulomb_friction() &&
+      parameters.solution.friction == Parameters::FrictionLoop::fixed_point;
     Residuals residuals = {
       {has_friction_loop ? "friction loop" : "Newton's method",
        negative_residual()}};
@@ -252,7 +251,6 @@ namespace Contact
       {
         model.interface->update_statuses(state.solution,
                                          state.start,
-                                         linearization.moving_bound,
                                          /*keep=*/true);
         forget_excess();
         residuals.emplace_back("pairing", negative_residual());
@@ -282,13 +280,17 @@ namespace Contact
 
 
 
-  // The tangent knows how the pairing moves, whatever the run did.
+  // The tangent knows how pairing and bounds move, whatever the run did.
   std::vector<GhostedVector>
   GoalErrors::solve_dual_problems(ProbeErrors &errors) const
   {
-    std::vector<ContactPoint<2>> points;
+    std::vector<ContactPoint<2>>  points;
+    std::optional<BoundsWhile<2>> bounds;
     if (model.interface)
-      points = model.interface->points();
+      {
+        points = model.interface->points();
+        bounds.emplace(*model.interface, /*follow=*/true);
+      }
     const Residuals   residuals = pair_anew();
     SaddlePointSystem system(*model.discretization,
                              *model.elasticity,
@@ -354,12 +356,7 @@ namespace Contact
                                       : 0.;
         const ContactState<2> now =
           interface.state(point, refined->state.solution, refined->state.start);
-        const Traction<2> traction =
-          interface.traction(point,
-                             point.status,
-                             now.p_trial,
-                             now.q_trial,
-                             linearization.moving_bound);
+        const Traction<2> traction = interface.traction(point, now);
         std::vector<std::pair<Tensor<1, 2>, double>> conditions;
         if (traction.dq_dq > 0)
           conditions = {{point.normal, -J_n}, {point.tangents[0], -J_t}};

@@ -121,8 +121,7 @@ namespace Contact
           point.status = interface.updated_status(point,
                                                   PointStatus<2>(),
                                                   p_trial,
-                                                  now.lambda_t,
-                                                  linearization.moving_bound);
+                                                  now.lambda_t);
         if (point.status.kind == Status::open)
           set_multipliers(point, 0., state.solution);
       }

@@ -79,9 +79,7 @@ namespace Contact
       }
     model.elasticity->heat(state.start_factor, state.load_factor);
 
-    linearization = {model.geometry_follows(parameters.solution),
-                     model.interface &&
-                       model.interface->has_coulomb_friction()};
+    linearization = {model.geometry_follows(parameters.solution)};
     system        = std::make_unique<SaddlePointSystem>(*model.discretization,
                                                  *model.elasticity,
                                                  model.interface.get(),
@@ -98,7 +96,6 @@ namespace Contact
           transfer_surfaces(*scene.interface, from.solution);
         model.interface->update_statuses(state.solution,
                                          state.start,
-                                         linearization.moving_bound,
                                          /*keep=*/true);
       }
     check_supports();
@@ -297,10 +294,8 @@ namespace Contact
 
   void VariantModel::update_statuses()
   {
-    n_status_changes +=
-      model.interface->update_statuses(state.solution,
-                                       state.start,
-                                       linearization.moving_bound,
-                                       /*keep=*/true);
+    n_status_changes += model.interface->update_statuses(state.solution,
+                                                         state.start,
+                                                         /*keep=*/true);
   }
 } // namespace Contact

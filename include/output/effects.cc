@@ -45,8 +45,6 @@ namespace Contact
         {
           case FrictionLoop::fixed_point:
             return "tangential multipliers, a loop over Tresca problems";
-          case FrictionLoop::lagged_bound:
-            return "tangential multipliers, a bound for each Newton step";
           case FrictionLoop::newton:
             return "tangential multipliers, the bound in the tangent";
         }

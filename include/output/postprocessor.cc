@@ -112,8 +112,7 @@ namespace Contact
     return contact_results(*model.interface,
                            contact_pair,
                            state.solution,
-                           state.start,
-                           parameters.solution.has_moving_bound());
+                           state.start);
   }
 
 
@@ -134,12 +133,10 @@ namespace Contact
             auto &values = record.contact[contact_pair->name];
             values       = results(*contact_pair).template by_name<dim>();
             if (contact_pair->obstacle || !contact_pair->free_motions.empty())
-              values.merge(
-                obstacle_values(*model.interface,
-                                *contact_pair,
-                                state.solution,
-                                state.start,
-                                parameters.solution.has_moving_bound()));
+              values.merge(obstacle_values(*model.interface,
+                                           *contact_pair,
+                                           state.solution,
+                                           state.start));
           }
       }
     record_rotations();
@@ -220,10 +217,7 @@ namespace Contact
 
     GhostedVector forces;
     if (model.interface && (is_last || output.vtu))
-      forces = contact_forces(*model.interface,
-                              state.solution,
-                              state.start,
-                              parameters.solution.has_moving_bound());
+      forces = contact_forces(*model.interface, state.solution, state.start);
     if (with_bodies)
       report.record(body_results(model,
                                  parameters.solids,
@@ -406,8 +400,7 @@ namespace Contact
                             point,
                             model.interface.get(),
                             state.solution,
-                            state.start,
-                            parameters.solution.has_moving_bound());
+                            state.start);
     if (is_energy(quantity))
       return body_energy(point, model, state.solution);
     const Place<dim> &place =

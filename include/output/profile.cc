@@ -55,13 +55,7 @@ namespace Contact
                         const GhostedVector         &solution)
     {
       const ContactState<dim> now = interface.state(point, solution, solution);
-      return point.weight * interface
-                              .traction(point,
-                                        point.status,
-                                        now.p_trial,
-                                        now.q_trial,
-                                        /*moving_bound=*/false)
-                              .p;
+      return point.weight * interface.traction(point, now).p;
     }
 
 

@@ -171,14 +171,12 @@ namespace Contact
     enum class FrictionLoop
     {
       fixed_point,
-      lagged_bound,
       newton
     };
 
     inline NamedValues<FrictionLoop> named_values(const FrictionLoop)
     {
       return {{"fixed point", FrictionLoop::fixed_point},
-              {"lagged bound", FrictionLoop::lagged_bound},
               {"Newton", FrictionLoop::newton}};
     }
 

@@ -227,17 +227,6 @@ namespace Contact
 
     void All::check_saddle_point() const
     {
-      const auto pairs = this->pairs();
-      if (solution.friction == FrictionLoop::lagged_bound &&
-          std::any_of(pairs.begin(),
-                      pairs.end(),
-                      [](const Contact &contact_pair) {
-                        return contact_pair.frictional();
-                      }))
-        throw EntryError("With multipliers the bound follows in a loop or in "
-                         "the tangent.",
-                         {"Solution/Friction", system_entry},
-                         "set 'Friction = Newton', or 'System = condensed'");
       if (solution.linear_solver != SolverKind::automatic &&
           solution.linear_solver != SolverKind::umfpack)
         throw EntryError("A saddle point system is not positive definite: " +

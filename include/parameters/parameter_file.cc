@@ -303,21 +303,23 @@ namespace Contact
                                              const std::string   &value,
                                              const Place         &place)
   {
-    static const std::map<std::string, std::pair<std::string, std::string>>
-      former{{"Solution/Friction", {"each step", "lagged bound"}},
-             {"Element/Centre node", {"bound", "serendipity"}},
-             {"Solids/Dilatation", {"projected", "B-bar"}}};
+    // A bound that followed from step to step found what Newton's method does.
+    static const std::map<std::pair<std::string, std::string>, std::string>
+      former{{{"Solution/Friction", "each step"}, "Newton"},
+             {{"Solution/Friction", "lagged bound"}, "Newton"},
+             {{"Element/Centre node", "bound"}, "serendipity"},
+             {{"Solids/Dilatation", "projected"}, "B-bar"}};
     if (entry.path() == "Boundary conditions/Histories")
       return Utilities::replace_in_string(value,
                                           "Spread force ",
                                           "Resultant force ");
-    const auto found = former.find(entry.path());
-    if (found == former.end() || found->second.first != value)
+    const auto found = former.find({entry.path(), value});
+    if (found == former.end())
       return value;
     note(place,
          "'" + value + "' of " + entry.path() + " is now called '" +
-           found->second.second + "'.");
-    return found->second.second;
+           found->second + "'.");
+    return found->second;
   }
 
 

@@ -142,8 +142,7 @@ namespace Contact
       // Beyond, a sparse direct solver of the saddle point takes too much time
       // and memory.
       const bool is_large = n_displacements > 100000;
-      return (is_large || solution.friction == FrictionLoop::lagged_bound) &&
-             solution.geometry != GeometryLoop::newton &&
+      return is_large && solution.geometry != GeometryLoop::newton &&
              all_have([](const Contact &contact_pair) {
                return contact_pair.has_point_per_multiplier();
              });

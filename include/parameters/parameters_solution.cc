@@ -67,9 +67,8 @@ namespace Contact
       prm.add_parameter("Friction",
                         friction,
                         "How the bound of friction follows the pressure [-]; "
-                        "fixed point: in a loop of its own; lagged bound: "
-                        "renewed before each Newton step; Newton: with the "
-                        "displacements, in the tangent as well.");
+                        "fixed point: in a loop over Tresca's problems; "
+                        "Newton: in the tangent.");
       prm.add_parameter(
         "Friction tolerance",
         friction_tolerance,

@@ -66,12 +66,6 @@ namespace Contact
                geometry != GeometryLoop::fixed_point;
       }
 
-      /// Whether the bound of the shear is in the tangent.
-      bool has_moving_bound() const
-      {
-        return friction == FrictionLoop::newton;
-      }
-
       void add_parameters(ParameterHandler &prm);
       void check() const;
 

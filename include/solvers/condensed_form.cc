@@ -20,7 +20,6 @@ namespace Contact
   template<int dim>
   CondensedForm<dim>::CondensedForm(const ContactModel<dim> &model,
                                     const Parameters::All   &parameters,
-                                    const bool               moving_bound,
                                     ConditionalOStream      &screen,
                                     TimerOutput             &timer)
     : model(model)
@@ -28,7 +27,7 @@ namespace Contact
     , screen(screen)
     , timer(timer)
     , solver(choose_solver(model, parameters.solution))
-    , elimination(*model.discretization, model.interface.get(), moving_bound)
+    , elimination(*model.discretization, model.interface.get())
     , system(create(solver))
     , last(system.get())
     , update(model.discretization->distribution)
@@ -56,23 +55,12 @@ namespace Contact
                                                IncrementState<dim> &state)
   {
     if (dim == 3 && part > 0)
-      recover_from(last->linear_forces(state.solution, state.load_factor),
-                   state);
+      elimination.recover_multipliers(last->linear_forces(state.solution,
+                                                          state.load_factor),
+                                      state.start,
+                                      state.solution);
     else
-      recover_from(rhs, state);
-  }
-
-
-
-  template<int dim>
-  void CondensedForm<dim>::recover_from(const GhostedVector &rhs,
-                                        IncrementState<dim> &state)
-  {
-    elimination.recover_pressures(rhs, state.start, state.solution);
-    if (model.has_friction() &&
-        parameters.friction == Parameters::FrictionLoop::lagged_bound)
-      model.interface->update_bounds(state.solution, state.start);
-    elimination.recover_shears(rhs, state.start, state.solution);
+      elimination.recover_multipliers(rhs, state.start, state.solution);
   }
 
 
@@ -194,9 +182,10 @@ namespace Contact
                    trial.begin(),
                    std::plus<>());
     const auto of_bodies = last->linear_forces(trial, load_factor);
-    elimination.recover_pressures(of_bodies, u_start, trial);
-    elimination.recover_shears(of_bodies, u_start, trial);
-    return model.interface->motion_forces(trial, u_start, {});
+    elimination.recover_multipliers(of_bodies, u_start, trial);
+    return model.interface->motion_forces(trial,
+                                          u_start,
+                                          /*of_multipliers=*/true);
   }
 
 

@@ -25,7 +25,6 @@ namespace Contact
 
     CondensedForm(const ContactModel<dim> &model,
                   const Parameters::All   &parameters,
-                  const bool               moving_bound,
                   ConditionalOStream      &screen,
                   TimerOutput             &timer);
 
@@ -103,8 +102,6 @@ namespace Contact
                                   const double               tolerance,
                                   const Step                &step,
                                   const IncrementState<dim> &state);
-
-    void recover_from(const GhostedVector &rhs, IncrementState<dim> &state);
 
     std::vector<double> motion_forces(GhostedVector        trial,
                                       const GhostedVector &u_start,

@@ -22,7 +22,6 @@ namespace Contact
     if (parameters.is_condensed(model.n_displacements()))
       return std::make_unique<CondensedForm<2>>(model,
                                                 parameters,
-                                                linearization.moving_bound,
                                                 screen,
                                                 timer);
     return std::make_unique<SaddlePointForm>(model,
@@ -36,17 +35,13 @@ namespace Contact
 
   template<>
   std::unique_ptr<LinearSystem<3>>
-  LinearSystem<3>::create(const ContactModel<3>      &model,
-                          const Parameters::All      &parameters,
-                          const ContactLinearization &linearization,
-                          ConditionalOStream         &screen,
-                          TimerOutput                &timer)
+  LinearSystem<3>::create(const ContactModel<3> &model,
+                          const Parameters::All &parameters,
+                          const ContactLinearization &,
+                          ConditionalOStream &screen,
+                          TimerOutput        &timer)
   {
-    return std::make_unique<CondensedForm<3>>(model,
-                                              parameters,
-                                              linearization.moving_bound,
-                                              screen,
-                                              timer);
+    return std::make_unique<CondensedForm<3>>(model, parameters, screen, timer);
   }
 
 

@@ -47,13 +47,7 @@ namespace Contact
     for (const ContactPoint<dim> &point : interface.points())
       {
         states.push_back(interface.state(point, solution, u_start));
-        tractions.push_back(
-          interface.traction(point,
-                             point.status,
-                             states.back().p_trial,
-                             states.back().q_trial,
-                             parameters.friction ==
-                               Parameters::FrictionLoop::newton));
+        tractions.push_back(interface.traction(point, states.back()));
         const ContactPair<dim> &contact_pair = interface.contact_pair(point);
         if (!contact_pair.tied && point.status.kind != Status::open)
           largest_bound =

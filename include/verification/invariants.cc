@@ -140,18 +140,15 @@ namespace Contact
         contact.add_forces(end.pressures, end.shears, end.dissipation);
         for (const auto &contact_pair : interface->pairs)
           if (contact_pair->obstacle)
-            end.obstacles.push_back(
-              obstacle_forces(*interface,
-                              *contact_pair,
-                              solution,
-                              start.displacement,
-                              parameters.has_moving_bound()));
+            end.obstacles.push_back(obstacle_forces(*interface,
+                                                    *contact_pair,
+                                                    solution,
+                                                    start.displacement));
         start.obstacles.resize(end.obstacles.size());
-        end.motions = interface->motions(solution);
-        end.motion_forces =
-          interface->motion_forces(solution,
-                                   start.displacement,
-                                   parameters.has_moving_bound());
+        end.motions       = interface->motions(solution);
+        end.motion_forces = interface->motion_forces(solution,
+                                                     start.displacement,
+                                                     /*of_multipliers=*/false);
         start.motions.resize(end.motions.size());
         start.motion_forces.resize(end.motions.size());
         contact.check(slack, found);

@@ -41,8 +41,6 @@ EFFECTS = (
     ("contact, Gauss rule", GAUSS, "contact, nodal rule, saddle point"),
     ("friction of Tresca", TRESCA, "contact, mortar rule"),
     ("friction of Coulomb", COULOMB, "contact, mortar rule"),
-    ("bound of Coulomb in each step",
-     {**COULOMB, "Solution/Friction": "lagged bound"}, "friction of Coulomb"),
     ("quadratic elements", {"Element/Degree": "2"}, "bodies alone"),
     ("large displacement", {**LARGE}, "bodies alone"),
     ("geometry loop", {**CONTACT, **LOOP}, "contact, mortar rule"),

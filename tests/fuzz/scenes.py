@@ -376,8 +376,7 @@ class Scene:
         self.set("Solution/Geometry", f["geometry"])
         f["friction_solver"] = "-"
         if f["friction"] != "none":
-            other = "Newton" if system == "saddle point" else "lagged bound"
-            f["friction_solver"] = rng.choice(["fixed point", other, other])
+            f["friction_solver"] = rng.choice(["fixed point", "Newton", "Newton"])
             self.set("Solution/Friction", f["friction_solver"])
         f["levels"] = 0
         if system == "condensed":

@@ -305,8 +305,7 @@ class SpaceScene(scenes.Scene):
         self.set("Solution/Geometry", f["geometry"])
         f["friction_solver"] = "-"
         if f["friction"] != "none":
-            f["friction_solver"] = rng.choice(["Newton"] * 4 + [
-                "fixed point", "lagged bound"])
+            f["friction_solver"] = rng.choice(["Newton"] * 4 + ["fixed point"])
             self.set("Solution/Friction", f["friction_solver"])
         f["solver"] = rng.choice(["automatic"] * 6 + ["AMG", "MUMPS"])
         self.set("Solution/Linear solver", f["solver"])

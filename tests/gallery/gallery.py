@@ -41,8 +41,7 @@ PRESSURES = ("ssnp154_a", "ssnp154_c", "ssnp154_d", "nested")
 FRICTION = ("ssnp154_d", "nested_friction")
 CONVERGENCE = "rings_orders"
 IN_SPACE = "sphere_on_block"
-# A symmetric matrix: conjugate gradients with multigrid.
-REFINED = {"Mesh/Refinements": 1, "Solution/Friction": "lagged bound"}
+REFINED = {"Mesh/Refinements": 1}
 SETTINGS = {"Output/VTU": "true", "Output/Profile": "true",
             "Output/Screen": "none"}
 

@@ -36,14 +36,10 @@ from cases import CASES
 RULES = ("nodal", "Gauss", "mortar")
 KINEMATICS = ("large displacement", "small strain")
 # The program's default first.
-FRICTION = ("Newton", "fixed point", "lagged bound")
+FRICTION = ("Newton", "fixed point")
 
 # The message of rows that converged by other loops than they asked for.
 HANDED_OVER = "solved once more by Newton's method"
-
-# The system that a loop of friction can have: see Parameters::All::check().
-SYSTEM = {"Newton": "automatic", "fixed point": "automatic",
-          "lagged bound": "condensed"}
 
 # Sums over increments and largest values; from the program that knows them.
 COLUMNS = ("case", "rule", "kinematics", "friction", "required", "status",
@@ -87,8 +83,7 @@ def discretization(path, rule):
 def settings(path, rule, kinematics, friction):
     """The entries of a row."""
     return discretization(path, rule) + ["Solids/Kinematics=" + kinematics,
-                      "Solution/Friction=" + friction,
-                      "Solution/System=" + SYSTEM[friction]]
+                                         "Solution/Friction=" + friction]
 
 
 def run(options, case, rule, kinematics, friction, required):

@@ -106,9 +106,7 @@ def other_loops(rng, scene):
     if system == "condensed":
         entries["Solution/Linear solver"] = rng.choice(["CHOLMOD", "AMG"])
     geometry = list(loops)
-    friction_loops = ["fixed point", "lagged bound"]
-    if system != "automatic":
-        friction_loops.append("Newton")
+    friction_loops = ["fixed point", "Newton"]
     if system == "saddle point":
         if scene.rule != "mortar":
             geometry.append("Newton")

@@ -80,7 +80,7 @@ def other_loops(rng, scene):
     entries["Solution/Geometry"] = rng.choice(geometry)
     if any(zone.mu for zone in scene.zones):
         entries["Solution/Friction"] = rng.choice(
-            ["fixed point", "lagged bound", "Newton"])
+            ["fixed point", "Newton"])
     entries["Solution/Linear solver"] = rng.choice(["CHOLMOD", "AMG", "MUMPS"])
     if rng.random() < 0.2:
         entries["Solids/Dilatation"] = rng.choice(["full", "B-bar"])

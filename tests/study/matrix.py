@@ -273,10 +273,10 @@ def ssnp154_friction() -> list[Run]:
         for rule in ["nodal", "mortar"]:
             runs += [Run(problem, file, element, rule, "nested", level,
                          "condensed", "", friction)
-                     for friction in ["lagged bound", "fixed point"]
+                     for friction in ["Newton", "fixed point"]
                      for level in levels(problem, element, last, False)]
         runs += [Run(problem, file, element, "mortar", "adaptive", level,
-                     "condensed", "", "lagged bound")
+                     "condensed", "", "Newton")
                  for level in range(2, 15 if element == "linear" else 18, 3)]
         runs += [Run(problem, file, element, rule, "uniform", level,
                      "saddle point", "", friction)

@@ -243,12 +243,11 @@ namespace Contact
     std::vector<double> motions(const GhostedVector &solution) const;
 
     /// The forces of pressures and shears along each free motion [N, of turns N
-    /// mm; in the plane per mm of thickness]. Without @p moving_bound the
-    /// multipliers, which know how slip turns in a step.
-    std::vector<double>
-    motion_forces(const GhostedVector       &solution,
-                  const GhostedVector       &u_start,
-                  const std::optional<bool> &moving_bound) const;
+    /// mm; in the plane per mm of thickness]: of the tractions in a state, or
+    /// @p of_multipliers, which know how slip turns in a step.
+    std::vector<double> motion_forces(const GhostedVector &solution,
+                                      const GhostedVector &u_start,
+                                      const bool of_multipliers) const;
 
     /// Obstacles that forces move and that touch nothing move until they
     /// touch: a guess of the active set, as activate_nearest().
@@ -303,6 +302,17 @@ namespace Contact
      */
     void activate_nearest(const GhostedVector &u);
 
+    /// Whether the bounds of shears follow the pressures. Otherwise they are
+    /// frozen: Tresca's problem.
+    bool bounds_follow = true;
+
+    /// The law of friction that a point obeys at present.
+    FrictionLaw law(const ContactPoint<dim> &point) const
+    {
+      return bounds_follow ? contact_pair(point).law
+                           : FrictionLaw{point.friction_bound, 0};
+    }
+
     /// Set the bounds of the next Tresca problem from the present pressures;
     /// return the largest change, relative to the largest bound.
     double update_bounds(const GhostedVector &solution,
@@ -321,13 +331,11 @@ namespace Contact
     /// change; without @p keep they are counted only.
     unsigned int update_statuses(const GhostedVector &solution,
                                  const GhostedVector &u_start,
-                                 const bool           moving_bound,
                                  const bool           keep);
 
     /// Update the status of the first point only whose status changes.
     void update_first_status(const GhostedVector &solution,
-                             const GhostedVector &u_start,
-                             const bool           moving_bound);
+                             const GhostedVector &u_start);
 
     /**
      * A bound that was frozen while a point was under pressure may leave it no
@@ -380,14 +388,12 @@ namespace Contact
     PointStatus<dim> updated_status(const ContactPoint<dim>  &point,
                                     const PointStatus<dim>   &before,
                                     const double              p_trial,
-                                    const Tensor<1, dim - 1> &q_trial,
-                                    const bool moving_bound) const;
+                                    const Tensor<1, dim - 1> &q_trial) const;
 
     /// The status of a point in a state, after its present one.
     PointStatus<dim> status_in(const ContactPoint<dim> &point,
                                const GhostedVector     &solution,
-                               const GhostedVector     &u_start,
-                               const bool               moving_bound) const;
+                               const GhostedVector     &u_start) const;
 
     /// The supports move in this increment by @p motion, zero elsewhere [mm]:
     /// a point that only they move along its tangent slips with them.
@@ -397,8 +403,14 @@ namespace Contact
     Traction<dim> traction(const ContactPoint<dim>  &point,
                            const PointStatus<dim>   &status,
                            const double              p_trial,
-                           const Tensor<1, dim - 1> &q_trial,
-                           const bool                moving_bound) const;
+                           const Tensor<1, dim - 1> &q_trial) const;
+
+    /// Those under the present status in a state.
+    Traction<dim> traction(const ContactPoint<dim> &point,
+                           const ContactState<dim> &state) const
+    {
+      return traction(point, point.status, state.p_trial, state.q_trial);
+    }
 
     /// The slip is without what springs give way, see
     /// PointPairing::springs.
@@ -458,6 +470,33 @@ namespace Contact
     return status_of(point).kind != Status::open &&
            frames.held_slips(all_points, point, status_of).size() == dim - 1;
   }
+
+
+
+  /// As long as it lives the bounds of shears follow the pressures, or are
+  /// frozen.
+  template<int dim>
+  class BoundsWhile
+  {
+  public:
+    BoundsWhile(ContactInterface<dim> &interface, const bool follow)
+      : interface(interface)
+      , before(interface.bounds_follow)
+    {
+      interface.bounds_follow = follow;
+    }
+
+    BoundsWhile(const BoundsWhile &) = delete;
+
+    ~BoundsWhile()
+    {
+      interface.bounds_follow = before;
+    }
+
+  private:
+    ContactInterface<dim> &interface;
+    const bool             before;
+  };
 } // namespace Contact
 
 #endif

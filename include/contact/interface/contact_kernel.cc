@@ -486,11 +486,7 @@ namespace Contact
       {
         const ContactPoint<dim> &point = interface.points()[q];
         const ContactState<dim> now = interface.state(point, solution, u_start);
-        const Traction<dim>     t   = interface.traction(point,
-                                                   point.status,
-                                                   now.p_trial,
-                                                   now.q_trial,
-                                                   linearization.moving_bound);
+        const Traction<dim>     t   = interface.traction(point, now);
         this->rows(point, solution, u_start, linearization, rows);
         assemble_residual(point, now, t, rows, local_rhs);
         if (matrix != nullptr)

@@ -17,9 +17,6 @@ namespace Contact
   {
     /// Projection, normal and tangent move with the bodies. In the plane.
     bool moving_geometry;
-
-    /// The bound of the shear traction moves with the pressure.
-    bool moving_bound;
   };
 
 

@@ -190,25 +190,22 @@ namespace Contact
 
 
   template<int dim>
-  std::vector<double> ContactInterface<dim>::motion_forces(
-    const GhostedVector       &solution,
-    const GhostedVector       &u_start,
-    const std::optional<bool> &moving_bound) const
+  std::vector<double>
+  ContactInterface<dim>::motion_forces(const GhostedVector &solution,
+                                       const GhostedVector &u_start,
+                                       const bool of_multipliers) const
   {
     std::vector<double> forces(all_motions.size());
     for (const ContactPoint<dim> &point : all_points)
       if (!point.motions.empty())
         {
           const ContactState<dim> now = state(point, solution, u_start);
-          Traction<dim>           t;
-          t.p = now.lambda_n;
-          t.q = now.lambda_t;
-          if (moving_bound)
-            t = traction(point,
-                         point.status,
-                         now.p_trial,
-                         now.q_trial,
-                         *moving_bound);
+          Traction<dim>           t   = traction(point, now);
+          if (of_multipliers)
+            {
+              t.p = now.lambda_n;
+              t.q = now.lambda_t;
+            }
           double w = 0;
           for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
             w += point.weight * point.C[a];

@@ -243,17 +243,15 @@ namespace Contact
   ContactInterface<dim>::updated_status(const ContactPoint<dim>  &point,
                                         const PointStatus<dim>   &before,
                                         const double              p_trial,
-                                        const Tensor<1, dim - 1> &q_trial,
-                                        const bool moving_bound) const
+                                        const Tensor<1, dim - 1> &q_trial) const
   {
     if (!point.facing || (!contact_pair(point).tied && p_trial <= 0))
       return {Status::open, {}};
     if (!can_stick(point))
       return {Status::slip, prescribed_direction(point, q_trial)};
 
-    const double bound = moving_bound ? contact_pair(point).law.bound(p_trial)
-                                      : point.friction_bound;
-    if (q_trial.norm() <= bound || q_trial * before.direction() < 0)
+    if (q_trial.norm() <= law(point).bound(p_trial) ||
+        q_trial * before.direction() < 0)
       return {Status::stick, {}};
     return {Status::slip, direction_of<dim>(q_trial)};
   }
@@ -265,8 +263,7 @@ namespace Contact
   ContactInterface<dim>::traction(const ContactPoint<dim>  &point,
                                   const PointStatus<dim>   &status,
                                   const double              p_trial,
-                                  const Tensor<1, dim - 1> &q_trial,
-                                  const bool                moving_bound) const
+                                  const Tensor<1, dim - 1> &q_trial) const
   {
     Traction<dim> traction;
     if (status.kind == Status::open)
@@ -279,15 +276,12 @@ namespace Contact
         traction.q     = q_trial;
         traction.dq_dq = 1;
       }
-    else if (moving_bound)
-      {
-        traction.q =
-          status.direction() * contact_pair(point).law.bound(p_trial);
-        traction.dq_dp = status.direction() *
-                         contact_pair(point).law.bound_derivative(p_trial);
-      }
     else
-      traction.q = status.direction() * point.friction_bound;
+      {
+        const FrictionLaw law = this->law(point);
+        traction.q            = status.direction() * law.bound(p_trial);
+        traction.dq_dp = status.direction() * law.bound_derivative(p_trial);
+      }
     return traction;
   }
 
@@ -300,15 +294,13 @@ namespace Contact
   PointStatus<dim>
   ContactInterface<dim>::status_in(const ContactPoint<dim> &point,
                                    const GhostedVector     &solution,
-                                   const GhostedVector     &u_start,
-                                   const bool               moving_bound) const
+                                   const GhostedVector     &u_start) const
   {
     const ContactState<dim> now = state(point, solution, u_start);
     return updated_status(point,
-                          moving_bound ? point.status : PointStatus<dim>(),
+                          bounds_follow ? point.status : PointStatus<dim>(),
                           now.p_trial,
-                          now.q_trial,
-                          moving_bound);
+                          now.q_trial);
   }
 
 
@@ -317,13 +309,11 @@ namespace Contact
   unsigned int
   ContactInterface<dim>::update_statuses(const GhostedVector &solution,
                                          const GhostedVector &u_start,
-                                         const bool           moving_bound,
                                          const bool           keep)
   {
     std::vector<PointStatus<dim>> of_rank;
     for (const auto q : own)
-      of_rank.push_back(
-        status_in(all_points[q], solution, u_start, moving_bound));
+      of_rank.push_back(status_in(all_points[q], solution, u_start));
     std::vector<PointStatus<dim>> updated =
       gathered(of_rank, discretization.communicator);
     for (const auto &[q, others] : frames.others())
@@ -345,18 +335,17 @@ namespace Contact
 
   template<int dim>
   void ContactInterface<dim>::update_first_status(const GhostedVector &solution,
-                                                  const GhostedVector &u_start,
-                                                  const bool moving_bound)
+                                                  const GhostedVector &u_start)
   {
     for (unsigned int q = 0; q < all_points.size(); ++q)
       {
         ContactPoint<dim>     &point  = all_points[q];
         const PointStatus<dim> before = point.status;
-        point.status = status_in(point, solution, u_start, moving_bound);
+        point.status                  = status_in(point, solution, u_start);
         release_held();
         if (point.status == before)
           continue;
-        if (!moving_bound && point.status.kind == Status::open)
+        if (!bounds_follow && point.status.kind == Status::open)
           reset_bound(q);
         return;
       }

@@ -20,8 +20,7 @@ namespace Contact
   obstacle_forces(const ContactInterface<dim> &interface,
                   const ContactPair<dim>      &contact_pair,
                   const GhostedVector         &solution,
-                  const GhostedVector         &u_start,
-                  const bool                   moving_bound)
+                  const GhostedVector         &u_start)
   {
     // Displacements that the pairing does not know move no force.
     const GhostedVector  undeformed(solution.size());
@@ -31,11 +30,7 @@ namespace Contact
     for (const ContactPoint<dim> &point : interface.acting_points(contact_pair))
       {
         const ContactState<dim> now = interface.state(point, solution, u_start);
-        const Traction<dim>     t   = interface.traction(point,
-                                                   point.status,
-                                                   now.p_trial,
-                                                   now.q_trial,
-                                                   moving_bound);
+        const Traction<dim>     t   = interface.traction(point, now);
         const Tensor<1, dim>    arm =
           point.projection - contact_pair.obstacle->centre();
         const Tensor<1, dim> gap =
@@ -53,18 +48,19 @@ namespace Contact
   obstacle_values(const ContactInterface<dim> &interface,
                   const ContactPair<dim>      &contact_pair,
                   const GhostedVector         &solution,
-                  const GhostedVector         &u_start,
-                  const bool                   moving_bound)
+                  const GhostedVector         &u_start)
   {
     if (!contact_pair.obstacle)
       {
         const unsigned int k = contact_pair.first_motion;
         return {{"preload",
-                 interface.motion_forces(solution, u_start, moving_bound)[k]},
+                 interface.motion_forces(solution,
+                                         u_start,
+                                         /*of_multipliers=*/false)[k]},
                 {"shortening", interface.motions(solution)[k]}};
       }
     const auto parts =
-      obstacle_forces(interface, contact_pair, solution, u_start, moving_bound);
+      obstacle_forces(interface, contact_pair, solution, u_start);
     const Tensor<1, dim> force = parts[0].force + parts[1].force;
     const Moment<dim>    moment =
       parts[0].moment + parts[1].moment + parts[0].over_gap + parts[1].over_gap;
@@ -175,14 +171,12 @@ namespace Contact
                         const std::string           &section,
                         const ContactInterface<dim> *interface,
                         const GhostedVector         &solution,
-                        const GhostedVector         &u_start,
-                        const bool                   moving_bound)
+                        const GhostedVector         &u_start)
   {
     return obstacle_values(*interface,
                            *pair_of(section, quantity, interface),
                            solution,
-                           u_start,
-                           moving_bound)
+                           u_start)
       .at(key_of(quantity));
   }
 
@@ -217,38 +211,32 @@ namespace Contact
   obstacle_forces(const ContactInterface<2> &,
                   const ContactPair<2> &,
                   const GhostedVector &,
-                  const GhostedVector &,
-                  const bool);
+                  const GhostedVector &);
   template std::array<ObstacleForce<3>, 2>
   obstacle_forces(const ContactInterface<3> &,
                   const ContactPair<3> &,
                   const GhostedVector &,
-                  const GhostedVector &,
-                  const bool);
+                  const GhostedVector &);
   template std::map<std::string, double>
   obstacle_values(const ContactInterface<2> &,
                   const ContactPair<2> &,
                   const GhostedVector &,
-                  const GhostedVector &,
-                  const bool);
+                  const GhostedVector &);
   template std::map<std::string, double>
                   obstacle_values(const ContactInterface<3> &,
                                   const ContactPair<3> &,
                                   const GhostedVector &,
-                                  const GhostedVector &,
-                                  const bool);
+                                  const GhostedVector &);
   template double obstacle_value(const Quantity,
                                  const std::string &,
                                  const ContactInterface<2> *,
                                  const GhostedVector &,
-                                 const GhostedVector &,
-                                 const bool);
+                                 const GhostedVector &);
   template double obstacle_value(const Quantity,
                                  const std::string &,
                                  const ContactInterface<3> *,
                                  const GhostedVector &,
-                                 const GhostedVector &,
-                                 const bool);
+                                 const GhostedVector &);
   template void   check_obstacle(const std::string &,
                                  const Quantity,
                                  const std::string &,

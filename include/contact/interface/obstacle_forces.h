@@ -55,8 +55,7 @@ namespace Contact
   obstacle_forces(const ContactInterface<dim> &interface,
                   const ContactPair<dim>      &contact_pair,
                   const GhostedVector         &solution,
-                  const GhostedVector         &u_start,
-                  const bool                   moving_bound);
+                  const GhostedVector         &u_start);
 
   /// Of both together, by names: "obstacle_force_x", in the plane
   /// "obstacle_moment_z"; of one that can move "obstacle_motion_x" and
@@ -67,8 +66,7 @@ namespace Contact
   obstacle_values(const ContactInterface<dim> &interface,
                   const ContactPair<dim>      &contact_pair,
                   const GhostedVector         &solution,
-                  const GhostedVector         &u_start,
-                  const bool                   moving_bound);
+                  const GhostedVector         &u_start);
 
   /// Whether a quantity is what an obstacle or a cut exerts, or how it moves.
   bool is_of_obstacle(const Parameters::Quantity quantity);
@@ -80,8 +78,7 @@ namespace Contact
                         const std::string           &section,
                         const ContactInterface<dim> *interface,
                         const GhostedVector         &solution,
-                        const GhostedVector         &u_start,
-                        const bool                   moving_bound);
+                        const GhostedVector         &u_start);
 
   /// Check that a section has an obstacle that exerts it. Throws InputError
   /// with the name of the @p probe.

@@ -23,14 +23,9 @@ namespace Contact
     Traction<dim> add_force(const ContactInterface<dim> &interface,
                             const ContactPoint<dim>     &point,
                             const ContactState<dim>     &now,
-                            const bool                   moving_bound,
                             ContactResults              &results)
     {
-      const Traction<dim> traction = interface.traction(point,
-                                                        point.status,
-                                                        now.p_trial,
-                                                        now.q_trial,
-                                                        moving_bound);
+      const Traction<dim> traction = interface.traction(point, now);
       results.normal_force += point.weight * traction.p;
       results.tangential_force += point.weight * traction.q[0];
       return traction;
@@ -97,8 +92,7 @@ namespace Contact
   ContactResults contact_results(const ContactInterface<2> &interface,
                                  const ContactPair<2>      &contact_pair,
                                  const GhostedVector       &solution,
-                                 const GhostedVector       &u_start,
-                                 const bool                 moving_bound)
+                                 const GhostedVector       &u_start)
   {
     ContactPatches patches(contact_pair.slave);
     ContactResults results;
@@ -106,7 +100,6 @@ namespace Contact
       return add_force(interface,
                        point,
                        interface.state(point, solution, u_start),
-                       moving_bound,
                        results);
     };
     // With the weight of the node that it stands for.
@@ -166,18 +159,13 @@ namespace Contact
   ContactResults contact_results(const ContactInterface<3> &interface,
                                  const ContactPair<3>      &contact_pair,
                                  const GhostedVector       &solution,
-                                 const GhostedVector       &u_start,
-                                 const bool                 moving_bound)
+                                 const GhostedVector       &u_start)
   {
     ContactResults results;
     Tensor<1, 3>   shear;
     const auto     add_force = [&](const ContactPoint<3> &point) {
       const ContactState<3> now = interface.state(point, solution, u_start);
-      const Traction<3>     t   = interface.traction(point,
-                                               point.status,
-                                               now.p_trial,
-                                               now.q_trial,
-                                               moving_bound);
+      const Traction<3>     t   = interface.traction(point, now);
       results.normal_force += point.weight * t.p;
       shear += point.weight * point.along_tangents(t.q);
       return t;
@@ -304,18 +292,13 @@ namespace Contact
   template<int dim>
   GhostedVector contact_forces(const ContactInterface<dim> &interface,
                                const GhostedVector         &solution,
-                               const GhostedVector         &u_start,
-                               const bool                   moving_bound)
+                               const GhostedVector         &u_start)
   {
     GhostedVector forces = u_start.zero();
     for (const ContactPoint<dim> &point : interface.points())
       {
         const ContactState<dim> now = interface.state(point, solution, u_start);
-        const Traction<dim>     traction = interface.traction(point,
-                                                          point.status,
-                                                          now.p_trial,
-                                                          now.q_trial,
-                                                          moving_bound);
+        const Traction<dim>     traction = interface.traction(point, now);
         const Tensor<1, dim>    force =
           point.weight *
           (traction.p * point.normal + point.along_tangents(traction.q));
@@ -425,12 +408,10 @@ namespace Contact
                                           const GhostedVector &);
   template GhostedVector contact_forces(const ContactInterface<2> &,
                                         const GhostedVector &,
-                                        const GhostedVector &,
-                                        const bool);
+                                        const GhostedVector &);
   template GhostedVector contact_forces(const ContactInterface<3> &,
                                         const GhostedVector &,
-                                        const GhostedVector &,
-                                        const bool);
+                                        const GhostedVector &);
   template std::string   describe_changes(const ContactInterface<2> &,
                                           const std::vector<PointStatus<2>> &,
                                           const GhostedVector &,

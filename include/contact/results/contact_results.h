@@ -51,14 +51,12 @@ namespace Contact
     }
   };
 
-  /// @p u_start is the solution at the start of the increment; with
-  /// @p moving_bound the bound of the shear is that of the present pressure.
+  /// @p u_start is the solution at the start of the increment.
   template<int dim>
   ContactResults contact_results(const ContactInterface<dim> &interface,
                                  const ContactPair<dim>      &contact_pair,
                                  const GhostedVector         &solution,
-                                 const GhostedVector         &u_start,
-                                 const bool moving_bound = false);
+                                 const GhostedVector         &u_start);
 
   /// The forces of contact on the nodes by displacement unknown, w (p n + q t)
   /// C summed over the points [N per mm of thickness; rings: N]. The vector is
@@ -66,8 +64,7 @@ namespace Contact
   template<int dim>
   GhostedVector contact_forces(const ContactInterface<dim> &interface,
                                const GhostedVector         &solution,
-                               const GhostedVector         &u_start,
-                               const bool                   moving_bound);
+                               const GhostedVector         &u_start);
 
   /// The multiplier that is the pressure at a node of the slave, or
   /// numbers::invalid_unsigned_int.

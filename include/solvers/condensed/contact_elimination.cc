@@ -53,11 +53,9 @@ namespace Contact
   template<int dim>
   ContactElimination<dim>::ContactElimination(
     const Discretization<dim>   &discretization,
-    const ContactInterface<dim> *interface,
-    const bool                   moving_bound)
+    const ContactInterface<dim> *interface)
     : discretization(discretization)
     , interface(interface)
-    , moving_bound(moving_bound)
     , rows(slave_dofs)
     , test_rows(slave_dofs)
   {
@@ -121,7 +119,7 @@ namespace Contact
     // A point that slips under a moving bound makes the matrix unsymmetric, and
     // a change of the pairing.
     symmetric = true;
-    if (interface != nullptr && moving_bound)
+    if (interface != nullptr && interface->bounds_follow)
       for (const ContactPoint<dim> &point : interface->points())
         if (!point.change.dofs.empty() ||
             (point.status.has_direction() &&
@@ -139,7 +137,6 @@ namespace Contact
         turning = SlipTurning<dim>::terms(*interface,
                                           solution,
                                           u_start,
-                                          moving_bound,
                                           any_rank_may_add);
         if (&moved != &solution)
           for (auto &term : turning)
@@ -499,42 +496,26 @@ namespace Contact
       discretization,
       *interface,
       eliminated,
-      SlipTurning<dim>::turned_shears(turning, *interface, solution, u_start),
-      moving_bound};
+      SlipTurning<dim>::turned_shears(turning, *interface, solution, u_start)};
   }
 
 
 
   template<int dim>
-  void ContactElimination<dim>::recover_pressures(const GhostedVector &residual,
-                                                  const GhostedVector &u_start,
-                                                  GhostedVector &solution) const
-  {
-    const auto tractions = recovery(u_start, solution).tractions(residual);
-    for (unsigned int k = 0; k < tractions.size(); ++k)
-      solution[interface->normal_index(interface->points()[k].multipliers[0])] =
-        tractions[k].p;
-  }
-
-
-
-  template<int dim>
-  void ContactElimination<dim>::recover_shears(const GhostedVector &residual,
+  void
+  ContactElimination<dim>::recover_multipliers(const GhostedVector &residual,
                                                const GhostedVector &u_start,
                                                GhostedVector &solution) const
   {
-    if (interface->n_multipliers() ==
-        interface->n_normal_multipliers() + interface->free_motions().size())
-      return;
     const auto tractions = recovery(u_start, solution).tractions(residual);
     for (unsigned int k = 0; k < tractions.size(); ++k)
       {
         const ContactPoint<dim> &point = interface->points()[k];
-        const FrictionLaw       &law   = interface->contact_pair(point).law;
-        if (law.is_frictionless())
+        solution[interface->normal_index(point.multipliers[0])] =
+          tractions[k].p;
+        if (interface->contact_pair(point).law.is_frictionless())
           continue;
-        const double bound =
-          moving_bound ? law.bound(tractions[k].p) : point.friction_bound;
+        const double       bound = interface->law(point).bound(tractions[k].p);
         Tensor<1, dim - 1> q;
         if (point.status.kind == Status::stick)
           q = tractions[k].q;

@@ -49,12 +49,9 @@ namespace Contact
     using Dof  = types::global_dof_index;
     using Dofs = std::vector<Dof>;
 
-    /// @p interface may be null: then there is nothing to eliminate. With
-    /// @p moving_bound the bound of the shear traction moves with the pressure
-    /// within a Newton step.
+    /// @p interface may be null: then there is nothing to eliminate.
     ContactElimination(const Discretization<dim>   &discretization,
-                       const ContactInterface<dim> *interface,
-                       const bool                   moving_bound = false);
+                       const ContactInterface<dim> *interface);
 
     /// The unknowns of the slave nodes of all points: those that are eliminated
     /// as a rule.
@@ -133,12 +130,9 @@ namespace Contact
      * of the bodies alone, under the statuses and bounds the points have now,
      * and the lines of the last make(). See MultiplierRecovery.
      */
-    void recover_pressures(const GhostedVector &residual,
-                           const GhostedVector &u_start,
-                           GhostedVector       &solution) const;
-    void recover_shears(const GhostedVector &residual,
-                        const GhostedVector &u_start,
-                        GhostedVector       &solution) const;
+    void recover_multipliers(const GhostedVector &residual,
+                             const GhostedVector &u_start,
+                             GhostedVector       &solution) const;
 
     /// A description of the last equations that contradict each other, for the
     /// message of a Newton's method that does not converge. Else empty.
@@ -181,7 +175,6 @@ namespace Contact
 
     const Discretization<dim>   &discretization;
     const ContactInterface<dim> *interface;
-    const bool                   moving_bound;
 
     AffineConstraints<double> lines, test_lines;
     Dofs                      eliminated;

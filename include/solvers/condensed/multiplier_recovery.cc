@@ -17,13 +17,11 @@ namespace Contact
     const Discretization<dim>   &discretization,
     const ContactInterface<dim> &interface,
     const std::vector<Dof>      &eliminated,
-    const std::vector<Turned>   &turned,
-    const bool                   moving_bound)
+    const std::vector<Turned>   &turned)
     : discretization(discretization)
     , points(interface.points())
     , interface(interface)
     , turned(turned)
-    , moving_bound(moving_bound)
     , coupled(interface.points().size(), false)
   {
     for (unsigned int k = 0; k < points.size(); ++k)
@@ -138,7 +136,7 @@ namespace Contact
   MultiplierRecovery<dim>::factors(const Share &share) const
   {
     const ContactPoint<dim> &point  = points[share.point];
-    const FrictionLaw       &law    = interface.contact_pair(point).law;
+    const FrictionLaw        law    = interface.law(point);
     const double             normal = point.normal[share.coordinate];
     Factors                  factors{share.factor * normal, {}, 0};
     for (const Tensor<1, dim - 1> &direction : shear_directions[share.point])
@@ -152,13 +150,8 @@ namespace Contact
       return factors;
     const double along = point.along_tangents(
       point.status.direction() + turned[share.point].turn)[share.coordinate];
-    if (moving_bound)
-      {
-        factors.p = share.factor * (normal + law.coulomb_coefficient * along);
-        factors.known = share.factor * law.tresca_limit * along;
-      }
-    else
-      factors.known = share.factor * point.friction_bound * along;
+    factors.p     = share.factor * (normal + law.coulomb_coefficient * along);
+    factors.known = share.factor * law.tresca_limit * along;
     if (dim == 3)
       factors.known +=
         share.factor *
@@ -188,13 +181,10 @@ namespace Contact
       else if (points[k].status.kind == Status::slip)
         {
           const Tensor<1, dim - 1> d = points[k].status.direction();
-          const double             bound =
-            moving_bound
-                          ? interface.contact_pair(points[k]).law.bound(tractions[k].p)
-                          : points[k].friction_bound;
-          tractions[k].q = shear_directions[k].empty()
-                             ? turned[k].shear + bound * turned[k].turn
-                             : tractions[k].q - (tractions[k].q * d) * d;
+          const double bound = interface.law(points[k]).bound(tractions[k].p);
+          tractions[k].q     = shear_directions[k].empty()
+                                 ? turned[k].shear + bound * turned[k].turn
+                                 : tractions[k].q - (tractions[k].q * d) * d;
         }
     return tractions;
   }
@@ -219,9 +209,7 @@ namespace Contact
             const Tensor<1, dim>     edge =
               cross_product_3d(first.normal, first.held_slips[0]);
             const auto bound = [&](const unsigned int k) {
-              return moving_bound ? interface.contact_pair(points[k]).law.bound(
-                                      tractions[k].p)
-                                  : points[k].friction_bound;
+              return interface.law(points[k]).bound(tractions[k].p);
             };
             double force = 0, most = 0;
             for (const unsigned int k : of_node)

@@ -36,8 +36,7 @@ namespace Contact
     MultiplierRecovery(const Discretization<dim>   &discretization,
                        const ContactInterface<dim> &interface,
                        const std::vector<types::global_dof_index> &eliminated,
-                       const std::vector<Turned>                  &turned,
-                       const bool moving_bound);
+                       const std::vector<Turned>                  &turned);
 
     /// Pressure and shear of a point [MPa].
     struct Pair
@@ -105,7 +104,6 @@ namespace Contact
     const std::vector<ContactPoint<dim>> &points;
     const ContactInterface<dim>          &interface;
     const std::vector<Turned>             turned;
-    const bool                            moving_bound;
 
     std::map<Dof, std::vector<Share>> equations;
     std::vector<bool>                 coupled; // by point

@@ -74,7 +74,6 @@ namespace Contact
   SlipTurning<2>::terms(const ContactInterface<2> &,
                         const GhostedVector &,
                         const GhostedVector &,
-                        const bool,
                         const bool)
   {
     return {};
@@ -87,7 +86,6 @@ namespace Contact
   SlipTurning<3>::terms(const ContactInterface<3> &interface,
                         const GhostedVector       &solution,
                         const GhostedVector       &u_start,
-                        const bool                 moving_bound,
                         const bool                 any_rank_may_add)
   {
     std::vector<Term>         all;
@@ -114,9 +112,7 @@ namespace Contact
         if (!point.status.has_direction() || size == 0 ||
             !point.held_slips.empty())
           continue;
-        const double bound =
-          moving_bound ? interface.contact_pair(point).law.bound(now.p_trial)
-                       : point.friction_bound;
+        const double bound = interface.law(point).bound(now.p_trial);
         // The exact stiffness of a point that hardly slips is without bound:
         // multigrid takes more iterations then, and active sets find no end. A
         // sliver of a facet has less weight.

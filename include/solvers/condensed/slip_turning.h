@@ -60,13 +60,11 @@ namespace Contact
       }
     };
 
-    /// Of the slipping points in a state. With @p moving_bound the bound is
-    /// that of the present pressure. All ranks add as many, if @p
+    /// Of the slipping points in a state.  All ranks add as many, if @p
     /// any_rank_may_add, else the owner of the point's node.
     static std::vector<Term> terms(const ContactInterface<dim> &interface,
                                    const GhostedVector         &solution,
                                    const GhostedVector         &u_start,
-                                   const bool                   moving_bound,
                                    const bool any_rank_may_add);
 
     /// Of a point, the turn of the shear with the bound, and what the slip adds

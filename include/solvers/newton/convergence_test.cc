@@ -37,15 +37,13 @@ namespace Contact
 
   template<int dim>
   double ConvergenceTest<dim>::evaluate(const GhostedVector       &rhs,
-                                        const IncrementState<dim> &state,
-                                        const bool                 moving_bound)
+                                        const IncrementState<dim> &state)
   {
     norm  = norm_of(rhs);
     force = scale->in(state.solution,
                       state.start,
                       state.load_factor,
-                      newton_tolerance,
-                      moving_bound);
+                      newton_tolerance);
     return norm;
   }
 

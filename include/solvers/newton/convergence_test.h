@@ -33,12 +33,10 @@ namespace Contact
     /// tolerance is that of this mesh. Collective.
     void begin_level(const double tolerance);
 
-    /// Compare the residual @p rhs of a state; @p moving_bound is how it was
-    /// assembled. Returns its norm [N per mm of thickness], the same on all
-    /// ranks: it decides for all of them what comes next.
-    double evaluate(const GhostedVector       &rhs,
-                    const IncrementState<dim> &state,
-                    const bool                 moving_bound);
+    /// Compare the residual @p rhs of a state. Returns its norm [N per mm of
+    /// thickness], the same on all ranks: it decides for all of them what comes
+    /// next.
+    double evaluate(const GhostedVector &rhs, const IncrementState<dim> &state);
 
     /// The norm of a residual [N per mm of thickness]. Collective.
     double norm_of(const GhostedVector &rhs) const;

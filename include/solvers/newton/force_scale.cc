@@ -74,14 +74,12 @@ namespace Contact
   double ForceScale<dim>::in(const GhostedVector &solution,
                              const GhostedVector &u_start,
                              const double         load_factor,
-                             const double         newton_tolerance,
-                             const bool           moving_bound) const
+                             const double         newton_tolerance) const
   {
     const double way  = discretization.largest_prescribed();
     const double most = modulus * (way + way_of_contact() + overlap) * slender;
-    double       acting = interface != nullptr
-                            ? contact_forces(solution, u_start, moving_bound)
-                            : 0.;
+    double       acting =
+      interface != nullptr ? contact_forces(solution, u_start) : 0.;
     if (way > 0)
       acting = std::max(acting, reactions(solution, load_factor));
 
@@ -144,8 +142,7 @@ namespace Contact
 
   template<int dim>
   double ForceScale<dim>::contact_forces(const GhostedVector &solution,
-                                         const GhostedVector &u_start,
-                                         const bool moving_bound) const
+                                         const GhostedVector &u_start) const
   {
     double sum = 0;
     for (const ContactPoint<dim> &point : interface->points())
@@ -153,11 +150,7 @@ namespace Contact
         {
           const ContactState<dim> now =
             interface->state(point, solution, u_start);
-          const Traction<dim> t = interface->traction(point,
-                                                      point.status,
-                                                      now.p_trial,
-                                                      now.q_trial,
-                                                      moving_bound);
+          const Traction<dim> t = interface->traction(point, now);
           sum += point.weight * std::hypot(t.p, t.q.norm());
         }
     return sum;

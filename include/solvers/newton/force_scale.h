@@ -54,8 +54,7 @@ namespace Contact
     double in(const GhostedVector &solution,
               const GhostedVector &u_start,
               const double         load_factor,
-              const double         newton_tolerance,
-              const bool           moving_bound) const;
+              const double         newton_tolerance) const;
 
     /// The largest force that the data alone tell of, with that of the softest
     /// body when it gives way by the ways that they prescribe, under a load
@@ -82,8 +81,7 @@ namespace Contact
     /// motions.
     double dead_forces(const double load_factor) const;
     double contact_forces(const GhostedVector &solution,
-                          const GhostedVector &u_start,
-                          const bool           moving_bound) const;
+                          const GhostedVector &u_start) const;
     double reactions(const GhostedVector &solution,
                      const double         load_factor) const;
     bool   is_supported(const types::global_dof_index dof) const;

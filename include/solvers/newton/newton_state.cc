@@ -98,7 +98,7 @@ namespace Contact
     TimerOutput::Scope scope(timer, "residual");
     evaluate_bodies();
     add_contact();
-    convergence.evaluate(rhs, state, pairing.linearization().moving_bound);
+    convergence.evaluate(rhs, state);
     return convergence.residual_norm();
   }
 
@@ -132,14 +132,13 @@ namespace Contact
     }
     n_status_changes = model.interface ? update_status(single_changes) : 0;
 
-    TimerOutput::Scope scope(timer, "residual");
-    const bool         moving_bound = pairing.linearization().moving_bound;
+    TimerOutput::Scope           scope(timer, "residual");
     std::optional<GhostedVector> of_bodies;
-    if (n_steps == 0 && n_status_changes > 0 && moving_bound &&
-        !state.start.all_zero())
+    if (n_steps == 0 && n_status_changes > 0 &&
+        model.interface->bounds_follow && !state.start.all_zero())
       of_bodies = rhs;
     add_contact();
-    convergence.evaluate(rhs, state, moving_bound);
+    convergence.evaluate(rhs, state);
     if (of_bodies && convergence.has_converged())
       try_to_rest(*of_bodies);
     if (model.interface && has_converged() && closes_in_full_pairing())
@@ -154,7 +153,6 @@ namespace Contact
     if (!pairing.complete())
       return false;
     const ContactInterface<dim> &interface = *model.interface;
-    const bool moving_bound = pairing.linearization().moving_bound;
     return std::any_of(interface.points().begin(),
                        interface.points().end(),
                        [&](const ContactPoint<dim> &point) {
@@ -162,8 +160,7 @@ namespace Contact
                                 interface
                                     .status_in(point,
                                                state.solution,
-                                               state.start,
-                                               moving_bound)
+                                               state.start)
                                     .kind != Status::open;
                        });
   }
@@ -176,20 +173,16 @@ namespace Contact
   template<int dim>
   void NewtonState<dim>::try_to_rest(const GhostedVector &of_bodies)
   {
-    ContactInterface<dim> &interface    = *model.interface;
-    const bool             moving_bound = pairing.linearization().moving_bound;
-    const auto             statuses     = interface.statuses();
-    const auto             update       = [&](const bool keep) {
-      return interface.update_statuses(state.solution,
-                                       state.start,
-                                       moving_bound,
-                                       keep);
+    ContactInterface<dim> &interface = *model.interface;
+    const auto             statuses  = interface.statuses();
+    const auto             update    = [&](const bool keep) {
+      return interface.update_statuses(state.solution, state.start, keep);
     };
     const GhostedVector before = rhs;
     update(/*keep=*/true);
     rhs = of_bodies;
     add_contact();
-    convergence.evaluate(rhs, state, moving_bound);
+    convergence.evaluate(rhs, state);
     if (convergence.has_converged() && update(/*keep=*/false) == 0)
       {
         n_status_changes = 0;
@@ -197,7 +190,7 @@ namespace Contact
       }
     interface.set_statuses(statuses);
     rhs = before;
-    convergence.evaluate(rhs, state, moving_bound);
+    convergence.evaluate(rhs, state);
   }
 
 
@@ -242,23 +235,21 @@ namespace Contact
   unsigned int NewtonState<dim>::update_status(const bool single_changes)
   {
     ContactInterface<dim> &interface    = *model.interface;
-    const bool             moving_bound = pairing.linearization().moving_bound;
     const bool             after_a_step = n_steps > 0;
     if (after_a_step)
       system->recover_multipliers(rhs, part, state);
     const unsigned int n =
       interface.update_statuses(state.solution,
                                 state.start,
-                                moving_bound,
                                 /*keep=*/after_a_step && !single_changes);
     if (after_a_step && n > 0)
       ++model.discretization->counters.active_set_changes;
     // As the search does. Without the search statuses change from step to step,
     // and a reset would begin each turn of the friction loop anew.
-    if (system->has_multipliers() && after_a_step && !moving_bound)
+    if (system->has_multipliers() && after_a_step && !interface.bounds_follow)
       interface.reset_bounds_of_open_points();
     if (after_a_step && single_changes)
-      interface.update_first_status(state.solution, state.start, moving_bound);
+      interface.update_first_status(state.solution, state.start);
     return n;
   }
 
@@ -286,7 +277,6 @@ namespace Contact
   bool NewtonState<dim>::points_follow_the_law() const
   {
     const ContactInterface<dim> &interface = *model.interface;
-    const bool moving_bound = pairing.linearization().moving_bound;
     return std::all_of(interface.points().begin(),
                        interface.points().end(),
                        [&](const ContactPoint<dim> &point) {
@@ -295,8 +285,7 @@ namespace Contact
                          return interface.updated_status(point,
                                                          PointStatus<dim>(),
                                                          now.p_trial,
-                                                         now.q_trial,
-                                                         moving_bound) ==
+                                                         now.q_trial) ==
                                 point.status;
                        });
   }
@@ -516,11 +505,9 @@ namespace Contact
   {
     system->recover_multipliers(rhs, 1, state);
     const auto update_statuses = [&](const bool keep) {
-      return model.interface->update_statuses(
-        state.solution,
-        state.start,
-        pairing.linearization().moving_bound,
-        keep);
+      return model.interface->update_statuses(state.solution,
+                                              state.start,
+                                              keep);
     };
     if (update_statuses(/*keep=*/false) == 0)
       return false;

@@ -22,7 +22,6 @@ namespace Contact
     , timer(timer)
     , guard(parameters.solution.geometry_tolerance)
   {
-    present.moving_bound = parameters.solution.has_moving_bound();
   }
 
 
@@ -72,7 +71,7 @@ namespace Contact
   bool Pairing<dim>::has_derivatives() const
   {
     return present.moving_geometry ||
-           (dim == 3 && follows_each_step() && present.moving_bound &&
+           (dim == 3 && follows_each_step() && model.interface->bounds_follow &&
             (model.has_friction() || is_in_tangent) &&
             model.elasticity->springs.held().empty());
   }
@@ -277,10 +276,7 @@ namespace Contact
   template<int dim>
   PairingMisfit Pairing<dim>::misfit_of(const IncrementState<dim> &state) const
   {
-    return misfit(*model.interface,
-                  state.solution,
-                  state.start,
-                  parameters.solution.has_moving_bound());
+    return misfit(*model.interface, state.solution, state.start);
   }
 
 

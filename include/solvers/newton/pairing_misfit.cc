@@ -68,16 +68,12 @@ namespace Contact
                                                   : std::abs(change);
       }
 
-      double force(const bool moving_bound) const
+      double force() const
       {
         if (!paired.facing)
           return 0;
         const auto state    = interface.state(paired, solution, u_start);
-        const auto traction = interface.traction(paired,
-                                                 paired.status,
-                                                 state.p_trial,
-                                                 state.q_trial,
-                                                 moving_bound);
+        const auto traction = interface.traction(paired, state);
         return paired.weight * std::hypot(traction.p, traction.q.norm());
       }
 
@@ -96,8 +92,7 @@ namespace Contact
   template<int dim>
   PairingMisfit misfit(const ContactInterface<dim> &interface,
                        const GhostedVector         &solution,
-                       const GhostedVector         &u_start,
-                       const bool                   moving_bound)
+                       const GhostedVector         &u_start)
   {
     const std::vector<ContactPoint<dim>> closest =
       interface.paired_anew(solution);
@@ -117,7 +112,7 @@ namespace Contact
                                          interface.points()[k],
                                          closest[k]};
             found.gap          = std::max(found.gap, point.gap());
-            const double force = point.force(moving_bound);
+            const double force = point.force();
             forces += force;
             if (force == 0)
               continue;
@@ -141,10 +136,8 @@ namespace Contact
 
   template PairingMisfit misfit(const ContactInterface<2> &,
                                 const GhostedVector &,
-                                const GhostedVector &,
-                                const bool);
+                                const GhostedVector &);
   template PairingMisfit misfit(const ContactInterface<3> &,
                                 const GhostedVector &,
-                                const GhostedVector &,
-                                const bool);
+                                const GhostedVector &);
 } // namespace Contact

@@ -54,13 +54,11 @@ namespace Contact
   };
 
   /// Of the state @p solution in an increment that began with the displacement
-  /// @p u_start. The bounds of shears follow from pressures with @p
-  /// moving_bound. Glued points keep what they faced undeformed.
+  /// @p u_start.  Glued points keep what they faced undeformed.
   template<int dim>
   PairingMisfit misfit(const ContactInterface<dim> &interface,
                        const GhostedVector         &solution,
-                       const GhostedVector         &u_start,
-                       const bool                   moving_bound);
+                       const GhostedVector         &u_start);
 } // namespace Contact
 
 #endif

@@ -32,8 +32,7 @@ namespace Contact
     Vector<double> corrected = update;
     std::size_t    n_rounds  = 0;
     if (!search(update, corrected, n_rounds) &&
-        !(problem.linearization.moving_bound &&
-          search_by_turns(update, corrected)) &&
+        !(interface.bounds_follow && search_by_turns(update, corrected)) &&
         !search_by_pivoting(update, corrected))
       return false;
     update = problem.complete(update, corrected);
@@ -81,19 +80,20 @@ namespace Contact
 
     for (unsigned int q = 0; q < problem.points.size(); ++q)
       problem.points[q].status = interface.points()[q].status;
-    problem.bounds_are_frozen = true;
-    corrected                 = update;
-    bool        is_found      = true;
-    double      change        = 1;
-    std::size_t n_rounds      = 0; // of all turns
-    for (unsigned int turn = 0;
-         turn < max_turns && change > tolerance && is_found;
-         ++turn)
-      {
-        change   = freeze_bounds(corrected);
-        is_found = search(update, corrected, n_rounds);
-      }
-    problem.bounds_are_frozen = false;
+    corrected            = update;
+    bool        is_found = true;
+    double      change   = 1;
+    std::size_t n_rounds = 0; // of all turns
+    {
+      const BoundsWhile<2> frozen(interface, /*follow=*/false);
+      for (unsigned int turn = 0;
+           turn < max_turns && change > tolerance && is_found;
+           ++turn)
+        {
+          change   = freeze_bounds(corrected);
+          is_found = search(update, corrected, n_rounds);
+        }
+    }
     if (!is_found || change > tolerance)
       return false;
 
@@ -129,12 +129,8 @@ namespace Contact
         const ContactPoint<2> &point = interface.points()[q];
         if (!problem.responses[i].tangential)
           {
-            const FrictionLaw frozen{point.friction_bound, 0};
-            tractions.push_back({i,
-                                 numbers::invalid_unsigned_int,
-                                 problem.bound_moves()
-                                   ? interface.contact_pair(point).law
-                                   : frozen});
+            tractions.push_back(
+              {i, numbers::invalid_unsigned_int, interface.law(point)});
             number_of.push_back(q);
           }
         else if (interface.can_stick(point))
@@ -154,8 +150,7 @@ namespace Contact
                                  Tensor<1, 1>({tractions[i].q ==
                                                    numbers::invalid_unsigned_int
                                                  ? 0.
-                                                 : z[tractions[i].q]}),
-                                 problem.bound_moves());
+                                                 : z[tractions[i].q]}));
     problem.release_held();
     corrected = problem.solve_changes(update);
     return true;
@@ -193,8 +188,7 @@ namespace Contact
           interface.updated_status(interface.points()[q],
                                    point.status,
                                    point.p_after(update),
-                                   Tensor<1, 1>({point.q_after(update)}),
-                                   problem.bound_moves());
+                                   Tensor<1, 1>({point.q_after(update)}));
         if (interface.is_held_by_others(q, [&](const unsigned int other) {
               return other == q ? status : problem.points[other].status;
             }))
@@ -204,7 +198,7 @@ namespace Contact
         changed           = true;
         point.has_changed = true;
         point.status      = status;
-        if (!problem.bound_moves() && status.kind == Status::open)
+        if (!interface.bounds_follow && status.kind == Status::open)
           interface.reset_bound(q);
       }
     problem.release_held();

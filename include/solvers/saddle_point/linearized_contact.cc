@@ -204,8 +204,7 @@ namespace Contact
     const Traction<2> t = interface.traction(interface.points()[q],
                                              points[q].status,
                                              p,
-                                             Tensor<1, 1>({points[q].q}),
-                                             bound_moves());
+                                             Tensor<1, 1>({points[q].q}));
     if (tangential)
       return {t.q[0] - t.dq_dp[0] * p - t.dq_dq * points[q].q,
               t.dq_dp[0],

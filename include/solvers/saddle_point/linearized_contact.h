@@ -89,12 +89,6 @@ namespace Contact
                            FullMatrix<double>   &matrix,
                            Vector<double>       &constant) const;
 
-    /// Whether the bound of the shear follows the pressure.
-    bool bound_moves() const
-    {
-      return linearization.moving_bound && !bounds_are_frozen;
-    }
-
     /// Release what ContactInterface::is_held_by_others() finds.
     void release_held();
 
@@ -104,7 +98,6 @@ namespace Contact
     const ContactLinearization linearization;
     std::vector<Point>         points;
     std::vector<Response>      responses;
-    bool                       bounds_are_frozen = false;
 
   private:
     const Vector<double> &trial_row(const unsigned int q,

@@ -148,10 +148,10 @@ namespace Contact
     if (!stands_anyway() &&
         search_under(standing, solution, u_start, load_factor, rhs_and_update))
       return true;
-    if (!is_first || !linearization.moving_bound || !interface->has_friction())
+    if (!is_first || !interface->bounds_follow || !interface->has_friction())
       return false;
-    standing.moving_bound = false;
     interface->update_bounds(solution, u_start);
+    const BoundsWhile<2> frozen(*interface, /*follow=*/false);
     return search_under(standing,
                         solution,
                         u_start,
@@ -236,7 +236,7 @@ namespace Contact
     assemble_and_factorize(solution,
                            u_start,
                            load_factor,
-                           {geometry_follows, linearization.moving_bound},
+                           {geometry_follows},
                            StressStiffness::with,
                            rhs);
     return !is_definite();
