@@ -499,7 +499,7 @@ namespace Contact
   void ContactProblem<dim>::solve_increment(const LoadSteps::Step &step)
   {
     is_smallest_step = step.is_smallest;
-    model.elasticity->heat(step.from, step.to);
+    model.elasticity->set_thermal_strain(step.from, step.to);
     model.elasticity->begin_first_step();
     if (model.has_friction())
       model.interface->begin_increment(step.from, state.solution);
@@ -507,14 +507,14 @@ namespace Contact
         model.interface->move_obstacles(step.from, step.to, state.solution))
       pairing.pair(state.solution);
     if (model.interface && step.increment == 1)
-      model.interface->close_overlaps(
+      model.interface->ramp_initial_penetration(
         step.from * parameters.solution.n_increments,
         step.ends_increment ? 1. : step.to * parameters.solution.n_increments,
         state.solution);
     state.begin(model, step.from, step.to);
     pairing.begin_increment((step.to - step.from) *
                             parameters.solution.n_increments);
-    postprocessor.forget_stresses();
+    postprocessor.clear_stresses();
     report.begin_increment(levels.present(), step.increment, step.to);
     check_turns();
     if (has_coarser_start(step))
@@ -665,9 +665,9 @@ namespace Contact
     report.increment().message = reason;
     report.screen << "  " << reason << std::endl;
     state.roll_back(model);
-    postprocessor.forget_stresses();
-    system->forget_pattern();
-    model.elasticity->heat(step.from, step.from);
+    postprocessor.clear_stresses();
+    system->clear_pattern();
+    model.elasticity->set_thermal_strain(step.from, step.from);
     if (model.interface)
       model.interface->move_obstacles(step.from, step.from, state.solution);
     pairing.pair(state.solution);
@@ -679,7 +679,7 @@ namespace Contact
         coarser_start_failed = true;
         return true;
       }
-    if (pairing.enters_tangent())
+    if (pairing.use_consistent_tangent())
       {
         report.screen << "  once more with the pairing in the tangent"
                       << std::endl;
@@ -950,7 +950,7 @@ namespace Contact
 
         // In bodies that yield, points that change one by one would see another
         // body each time: a shorter increment is the better way, if there is.
-        if (newton.begins_single_changes())
+        if (newton.start_single_changes())
           {
             if (!model.elasticity->is_elastic() && !is_smallest_step)
               throw NotConverged("the active set cycles:" + newton.changes());
@@ -1126,7 +1126,7 @@ namespace Contact
                         newton.convergence.tolerance(),
                         newton.convergence.force_scale(),
                         springs.size() > 0 ? &springs : nullptr,
-                        pairing.shift_of_feet(state),
+                        pairing.shift_of_projections(state),
                         newton.convergence.given_force(state.load_factor));
     invariants->advance();
     report.increment().round_off_force =

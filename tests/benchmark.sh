@@ -32,7 +32,7 @@ children >0
 for i in 1 2 3 4 5; do "$contact" --help >/dev/null; done
 children >1
 startup=$(paste 0 1 | awk '{ printf "%.2f", ($2 - $1) / 5 }')
-echo "start-up: $startup s of CPU (load of the machine before: $load)"
+echo "start-up: $startup s of CPU (load average before: $load)"
 
 printf '%-9s %8s %7s %9s %7s  %s\n' modeling 'CPU [s]' solving output \
   'MB' 'Newton steps, friction turns'

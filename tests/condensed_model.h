@@ -7,7 +7,7 @@
 #define contact_condensed_model_h
 
 #include "solvers/condensed/assembled_system.h"
-#include "solvers/condensed/slip_turning.h"
+#include "solvers/condensed/slip_direction_stiffness.h"
 #include "tests.h"
 
 namespace Tests
@@ -233,11 +233,12 @@ namespace Tests
     for (unsigned int i = 0; i < n; ++i)
       if (!base.is_constrained(i) && !lines.is_constrained(i))
         y[i] = random(-1, 1);
-    const auto turning = SlipTurning<dim>::terms(*model.interface,
-                                                 model.solution,
-                                                 model.start,
-                                                 /*any_rank_may_add=*/false);
-    const auto forces  = [&](const double step) {
+    const auto turning =
+      SlipDirectionStiffness<dim>::terms(*model.interface,
+                                         model.solution,
+                                         model.start,
+                                         /*any_rank_may_add=*/false);
+    const auto forces = [&](const double step) {
       GhostedVector du(y), rest(n), u(model.solution), rhs(u.size());
       du *= step;
       model.elimination->distribute(du);

@@ -253,9 +253,9 @@ namespace
             return near(x, 0) ? slip : (x < 2.5 * h ? 0. : 1.);
           },
           1);
-        auto points                      = model.interface.points();
-        points[0].status                 = {Status::slip, 0};
-        points[0].tangential_row_is_void = true;
+        auto points                   = model.interface.points();
+        points[0].status              = {Status::slip, 0};
+        points[0].has_no_free_tangent = true;
         model.interface.set_points(points);
         check_small("held point",
                     std::abs(model.results().stick_extent - 2.5 * h),

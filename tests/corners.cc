@@ -248,21 +248,24 @@ namespace
 
   /// Two projections over one line; the hole is within one edge of it, and
   /// edges end in it, too.
-  void feet(const unsigned int degree)
+  void projection points(const unsigned int degree)
   {
     headline("a master of two pieces, degree " + std::to_string(degree));
     for (const unsigned int n : {1, 2, 3, 4, 6, 12})
       {
         MeshText mesh;
-        mesh.block("left foot", 3, 1, rectangle({-4, 0}, {-1, 1}));
-        mesh.block("right foot", 3, 1, rectangle({1, 0}, {4, 1}));
+        mesh.block("left projection_point", 3, 1, rectangle({-4, 0}, {-1, 1}));
+        mesh.block("right projection_point", 3, 1, rectangle({1, 0}, {4, 1}));
         mesh.block("low", n, 1, rectangle({-6, -1}, {6, 0}));
         const Pair                                pair(make_parameters(mesh,
-                                        {"left foot", "right foot", "low"},
+                                        {"left projection_point",
+                                                                        "right projection_point",
+                                                                        "low"},
                                         degree,
                                         "small strain"),
                         {"low top"},
-                        {"left foot bottom", "right foot bottom"});
+                        {"left projection_point bottom",
+                                                        "right projection_point bottom"});
         const auto                                points = pair.mortar();
         double                                    length = 0, smallest = 1;
         std::map<types::global_dof_index, double> loads;
@@ -370,7 +373,7 @@ int main()
       round_a_corner(degree);
       corner_on_ground(degree, 20);
       corner_on_ground(degree, 45);
-      feet(degree);
+      projection points(degree);
       behind(degree);
       over_a_vertex(degree);
     }

@@ -102,7 +102,9 @@ int main()
   const Part corner{{0.2, 0.2}, {1, 1}};
   check("a multiplier of its own", corner, {{3, 1.}});
   check("hanging, one heir is on the facet", corner, {{1, .5}, {7, .5}});
-  check("hanging, both heirs are beyond the facet", corner, {{7, .5}, {9, .5}});
+  check("hanging, both receivers are beyond the facet",
+        corner,
+        {{7, .5}, {9, .5}});
   check("hanging, unequal parts", corner, {{7, .75}, {9, .25}});
   check("a part in the middle", {{-0.1, -0.1}, {0.2, 0.1}}, {{3, 1.}});
   check("a strip across the middle", {{-1, -0.1}, {1, 0.2}}, {{3, 1.}});

@@ -11,8 +11,9 @@
 // rule; with the Gauss-point discretization the gap is zero in the mean only,
 // and the shear leaves a small moment. With the mortar discretization it is the
 // weighted gap that is zero, while the surfaces are apart or overlap between
-// the nodes; that the moment vanishes all the same is because the feet of a
-// node are shifted such that its weighted gap vector is parallel to its normal.
+// the nodes; that the moment vanishes all the same is because the projection
+// points of a node are shifted such that its weighted gap vector is parallel to
+// its normal.
 
 #include "tests.h"
 

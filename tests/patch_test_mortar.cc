@@ -221,14 +221,14 @@ namespace
         const auto now =
           model.interface.state(point, model.solution, model.start);
         const Tensor<1, 2> sum =
-          now.p_trial * point.normal + (point.tangential_row_is_void
+          now.p_trial * point.normal + (point.has_no_free_tangent
                                           ? Tensor<1, 2>()
                                           : now.q_trial[0] * point.tangents[0]);
         const double sign = lower_is_slave ? -1 : 1;
         error             = std::max(error,
                          (sum - Tensor<1, 2>({0, sign * traction})).norm() /
                            traction);
-        n_void += point.tangential_row_is_void;
+        n_void += point.has_no_free_tangent;
       }
     check_small("traction", error, 1e-10);
     check("all points but the one at the end stick",

@@ -49,21 +49,21 @@ namespace
             R * Point<2>(ends[e] + (1 + xi) / 2 * length, random(-3, 0.5));
           const Projection<2> found = search.closest_point(x);
           right_edge                = right_edge && found.facet == e;
-          faces = faces && !found.off_the_end && !found.clipped;
+          faces = faces && !found.beyond_end && !found.clipped;
           error = std::max(error, std::abs(found.xi - xi));
 
           // Asked for another edge, the answer is its nearer end.
           if (e > 1)
             clamped = clamped && search.project(x, e - 1).xi == 1 &&
                       search.project(x, e - 1).clipped &&
-                      !search.project(x, e - 1).off_the_end;
+                      !search.project(x, e - 1).beyond_end;
           if (e + 1 < 3)
             clamped = clamped && search.project(x, e + 1).xi == -1 &&
                       search.project(x, e + 1).clipped &&
-                      !search.project(x, e + 1).off_the_end;
+                      !search.project(x, e + 1).beyond_end;
         }
-    check("the edge of the foot is found", right_edge && faces);
-    check_small("coordinate of the foot", error, 1e-13);
+    check("the edge of the projection_point is found", right_edge && faces);
+    check_small("coordinate of the projection_point", error, 1e-13);
     check("other edges answer with their nearer end", clamped);
 
     // The distance is measured to the projection.
@@ -86,7 +86,7 @@ namespace
             R * Point<2>(at_start ? -beyond * half : 4 + beyond * half, -0.3);
           const Projection<2> found = search.closest_point(x);
           std::cout << "  " << beyond << ": edge " << found.facet << ", "
-                    << found.xi << (found.off_the_end ? ", off" : ", faces")
+                    << found.xi << (found.beyond_end ? ", off" : ", faces")
                     << std::endl;
         }
   }
@@ -148,13 +148,14 @@ namespace
         (is_far ? far : near) = std::max(is_far ? far : near, error);
 
         ends_right =
-          ends_right && found.off_the_end == (std::abs(projection) > reach);
-        n_off += found.off_the_end;
-        n_over += !found.off_the_end && std::abs(projection) > 1;
+          ends_right && found.beyond_end == (std::abs(projection) > reach);
+        n_off += found.beyond_end;
+        n_over += !found.beyond_end && std::abs(projection) > 1;
       }
-    check_small("coordinate of the foot", near, 1e-10);
+    check_small("coordinate of the projection_point", near, 1e-10);
     check_small("the same beyond the center of curvature", far, 1e-10);
-    check("off the end where the foot is beyond the overhang", ends_right);
+    check("off the end where the projection_point is beyond the overhang",
+          ends_right);
     check("points off the end and in the overhang were among them",
           n_off > 100 && n_over > 20);
   }
@@ -182,7 +183,7 @@ namespace
       {
         const Point<2>      x(2 * std::sin(angle), -2 * std::cos(angle));
         const Projection<2> found = search.closest_point(x);
-        corner_found = corner_found && !found.off_the_end && found.clipped &&
+        corner_found = corner_found && !found.beyond_end && found.clipped &&
                        std::abs(search.distance_square(x, found) - 4) < 1e-13 &&
                        std::abs(found.xi - (found.facet == 0 ? 1 : -1)) < 1e-13;
       }
@@ -195,10 +196,11 @@ namespace
         const Projection<2> found = search.closest_point(Point<2>(a, 1));
         const double        x     = (std::abs(a) + 1) / 2;
         face_found =
-          face_found && found.facet == (a > 0 ? 1 : 0) && !found.off_the_end &&
+          face_found && found.facet == (a > 0 ? 1 : 0) && !found.beyond_end &&
           std::abs(found.xi - (a > 0 ? 2 * x - 1 : 1 - 2 * x)) < 1e-13;
       }
-    check("from the inside the foot on the nearer face", face_found);
+    check("from the inside the projection_point on the nearer face",
+          face_found);
   }
 } // namespace
 

@@ -167,7 +167,7 @@ done
 # Two ranks, at most 1.3 million unknowns.
 if command -v mpirun >/dev/null; then
   echo
-  echo "One rank and two, load of the machine before: $(load)," \
+  echo "One rank and two, load average before: $(load)," \
     "cores: $(getconf _NPROCESSORS_ONLN); memory is that of all ranks."
   echo
   echo "| case | degree | unknowns | solver | Newton steps, finest mesh |" \

@@ -229,7 +229,7 @@ def parse():
 
 def main():
     options = parse()
-    print(f"`./run scaling processes`, load of the machine before: "
+    print(f"`./run scaling processes`, load average before: "
           f"{os.getloadavg()[0]:.2f}, cores: {os.cpu_count()}\n", flush=True)
     studies = {"plane": study("nested", 2, options.levels[0], options),
                "space": study("nested_space", 3, options.levels[1], options)}

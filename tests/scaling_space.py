@@ -91,7 +91,7 @@ class Scaling:
 
 
 def head(title):
-    print(f"{title}, load of the machine before: {os.getloadavg()[0]:.2f}\n")
+    print(f"{title}, load average before: {os.getloadavg()[0]:.2f}\n")
     print("| " + " | ".join(COLUMNS) + " |")
     print("|---" * len(COLUMNS) + "|", flush=True)
 

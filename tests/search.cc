@@ -56,7 +56,7 @@ namespace
           x = Point<2>(random(0.8, 1.2), random(-0.3, 1.2));
         const Projection<2> found    = search.closest_point(x);
         const double        distance = search.distance_square(x, found);
-        n_off += found.off_the_end;
+        n_off += found.beyond_end;
 
         double best = std::numeric_limits<double>::max();
         for (unsigned int e = 0; e < surface.facets.size(); ++e)

@@ -62,8 +62,8 @@ namespace
   unsigned int n_hanging(const Surface<3> &surface)
   {
     unsigned int n = 0;
-    for (const auto &leaders : surface.leaders)
-      n += !leaders.empty();
+    for (const auto &parents : surface.parents)
+      n += !parents.empty();
     return n;
   }
 

@@ -277,10 +277,11 @@ namespace
     GhostedVector du(model.n_dofs()), by_terms(du);
     for (double &value : du)
       value = random(-1, 1);
-    for (const auto &term : SlipTurning<3>::terms(*model.interface,
-                                                  model.solution,
-                                                  model.start,
-                                                  /*any_rank_may_add=*/false))
+    for (const auto &term :
+         SlipDirectionStiffness<3>::terms(*model.interface,
+                                          model.solution,
+                                          model.start,
+                                          /*any_rank_may_add=*/false))
       for (unsigned int i = 0; i < term.dofs.size(); ++i)
         for (unsigned int j = 0; j < term.dofs.size(); ++j)
           by_terms[term.dofs[i]] += term.stiffness(i, j) * du[term.dofs[j]];

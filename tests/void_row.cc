@@ -42,7 +42,7 @@ namespace
     std::cout << "  " << name << ':';
     unsigned int n_void = 0;
     for (const ContactPoint<2> &point : points_of_slave(model.interface))
-      if (point.tangential_row_is_void)
+      if (point.has_no_free_tangent)
         {
           const auto &edge =
             model.interface.pairs[0]->slave.facets[point.slave_facet];
@@ -95,7 +95,7 @@ namespace
         const double lambda_t =
           model.interface.state(point, model.solution, model.start).lambda_t[0];
         largest = std::max(largest, std::abs(lambda_t));
-        if (point.tangential_row_is_void)
+        if (point.has_no_free_tangent)
           {
             multiplier              = std::abs(lambda_t);
             slips_without_direction = point.status.kind == Status::slip &&

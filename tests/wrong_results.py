@@ -1519,7 +1519,7 @@ def along_edges():
                   f"{worst:.1e}", worst < 1e-3)
 
 
-def off_the_end():
+def beyond_end():
     """A stiff stamp presses rubber, whose side bulges out beyond the stamp's."""
     mesh = Volumes()
     mesh.block("Low", (3, 4, 2),
@@ -1527,12 +1527,12 @@ def off_the_end():
     mesh.block("Up", (1, 1, 2),
                lambda r, s, t: (0.7038734 + 6.242 * r, 0.22188108 + 6.487 * s,
                                 3.215 + 3 * t))
-    mesh.write("off_the_end")
+    mesh.write("beyond_end")
     ways = {"x": "Low_z0: 0, Up_z1: 0", "y": "Low_z0: 0, Up_z1: 0",
             "z": "Low_z0: 0, Up_z1: -0.241"}
     for rule, converges in (("nodal", False), ("mortar", True)):
-        status, said, summary = run("off_the_end", {
-            "Mesh/File": "off_the_end.msh",
+        status, said, summary = run("beyond_end", {
+            "Mesh/File": "beyond_end.msh",
             "Solids/Young's modulus": "Low: 1, Up: 210000",
             "Solids/Poisson's ratio": "Low: 0.3, Up: 0.3",
             "Solids/Material": "Low: Mooney-Rivlin",
@@ -1641,7 +1641,7 @@ for scene in (carried, closed, buckling, overlap, cantilever, halves, teeth, own
               in_a_corner, concave_corner, too_coarse, over_rim, far_sides, roles, tied, flank, groove,
               slide, pinned, clamped, between_nodes, approached, through, foil, turning, shrunk, snap_through, coarse_fit, flat_ends, glued_apart, idle,
               held_nodes, left_free, stands_on_corner, left_floating, eccentric, round_and_apart, through_zero, nominal_loads, normal_supports,
-              along_edges, off_the_end):
+              along_edges, beyond_end):
     print(scene.__name__)
     scene()
 sys.exit(len(failures) > 0)

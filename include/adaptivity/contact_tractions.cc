@@ -206,7 +206,7 @@ namespace Contact
                                          const double           reach) const
   {
     const Projection<dim> projection = slave_now.closest_point(place.x);
-    if (projection.off_the_end ||
+    if (projection.beyond_end ||
         slave_now.distance_square(place.x, projection) > reach * reach)
       return Tensor<1, dim>();
 

@@ -49,7 +49,7 @@ namespace Contact
     state.solution = transferred.back();
     transferred.pop_back();
     duals.swap(transferred);
-    model.elasticity->heat(state.start_factor, state.load_factor);
+    model.elasticity->set_thermal_strain(state.start_factor, state.load_factor);
     model.discretization->prescribe(state.solution, state.load_factor);
     if (coarse.interface)
       transfer_contact(*coarse.interface,

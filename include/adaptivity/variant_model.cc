@@ -77,7 +77,7 @@ namespace Contact
         state.start_factor = from.start_factor;
         take_displacements(scene, from.start, state.start);
       }
-    model.elasticity->heat(state.start_factor, state.load_factor);
+    model.elasticity->set_thermal_strain(state.start_factor, state.load_factor);
 
     linearization = {model.geometry_follows(parameters.solution)};
     system        = std::make_unique<SaddlePointSystem>(*model.discretization,
@@ -128,7 +128,7 @@ namespace Contact
     const double share = state.start_factor / state.load_factor;
     for (unsigned int i = 0; i < model.n_displacements(); ++i)
       state.start[i] += share * (at_once.state.solution[i] - of_scene[i]);
-    model.elasticity->heat(state.start_factor, state.load_factor);
+    model.elasticity->set_thermal_strain(state.start_factor, state.load_factor);
     begin_increment();
     update_statuses();
   }
@@ -284,7 +284,8 @@ namespace Contact
                        step))
       throw NotConverged("no active set agrees with the linearised problem");
     state.solution += step;
-    model.discretization->settle(state.solution, state.load_factor);
+    model.discretization->project_on_rigid_motions(state.solution,
+                                                   state.load_factor);
     if (model.interface)
       update_statuses();
     return model.discretization->displacements(step).linfty_norm();

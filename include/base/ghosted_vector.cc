@@ -142,7 +142,7 @@ namespace Contact
 
 
 
-  void GhostedVector::sum_up()
+  void GhostedVector::compress_add()
   {
     if (!is_distributed())
       return;
@@ -172,7 +172,7 @@ namespace Contact
 
 
 
-  void GhostedVector::keep_owned()
+  void GhostedVector::zero_out_ghosts()
   {
     if (!is_distributed())
       return;

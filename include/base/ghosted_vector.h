@@ -220,11 +220,11 @@ namespace Contact
 
     /// All get the sum of the values that processes have put on unknowns that
     /// they hold, and on multipliers. Collective.
-    void sum_up();
+    void compress_add();
 
     /// Zero where another process is the owner; of multipliers the first one
     /// is. To add to what has been summed up, and sum up once more.
-    void keep_owned();
+    void zero_out_ghosts();
 
     /// All get what the owner has. Collective.
     void update_ghosts();

@@ -51,7 +51,7 @@ namespace Contact
       if (model.interface)
         {
           // Large, and made anew with the pairing in the first Newton step.
-          model.interface->forget_changes();
+          model.interface->clear_changes();
           points_at_start = model.interface->points();
         }
     }

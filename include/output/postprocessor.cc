@@ -6,7 +6,7 @@
 #include "output/postprocessor.h"
 
 #include "contact/interface/obstacle_forces.h"
-#include "model/turned_glue.h"
+#include "model/rotated_tie.h"
 #include "output/body_results.h"
 #include "probes/probes.h"
 
@@ -120,7 +120,7 @@ namespace Contact
   template<int dim>
   void Postprocessor<dim>::record_increment()
   {
-    const TurnedGlue<dim> glue(model, state.solution);
+    const RotatedTie<dim> glue(model, state.solution);
     IncrementRecord      &record = report.increment();
     if (model.interface)
       {
@@ -198,7 +198,7 @@ namespace Contact
   void Postprocessor<dim>::write_increment(const unsigned int k,
                                            const bool         is_complete)
   {
-    const TurnedGlue<dim> glue(model, state.solution);
+    const RotatedTie<dim> glue(model, state.solution);
     const auto           &output = parameters.output;
     const bool is_last = is_complete && k == parameters.solution.n_increments;
     if (is_last && model.interface)
@@ -269,7 +269,7 @@ namespace Contact
     LevelRecord       record;
     {
       TimerOutput::Scope    scope(report.timer, "output");
-      const TurnedGlue<dim> glue(model, state.solution);
+      const RotatedTie<dim> glue(model, state.solution);
       for (const auto &[name, definition] : parameters.probes.definitions())
         record.probes[name] = probe(definition);
     }

@@ -35,7 +35,7 @@ namespace Contact
     void check_probes() const;
 
     /// The state is another one.
-    void forget_stresses()
+    void clear_stresses()
     {
       stresses.clear();
     }

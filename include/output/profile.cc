@@ -99,7 +99,7 @@ namespace Contact
         }
       contact_pair.project(make_array_view(points), solution);
       for (unsigned int n = 0; n < rows.size(); ++n)
-        if (contact_pair.slave.leaders[n].empty())
+        if (contact_pair.slave.parents[n].empty())
           {
             const ContactState<dim> state =
               interface.state(points[numbering.of_node[n]], solution, u_start);
@@ -112,14 +112,14 @@ namespace Contact
 
 
 
-    /// A hanging node has no point: it has the means of its heirs.
+    /// A hanging node has no point: it has the means of its receivers.
     template<int dim>
     void fill_in_hanging(const Surface<dim>           &slave,
                          std::vector<ProfileRow<dim>> &rows)
     {
       for (unsigned int n = 0; n < rows.size(); ++n)
-        if (!slave.leaders[n].empty())
-          for (const auto &[heir, part] : slave.heirs(n))
+        if (!slave.parents[n].empty())
+          for (const auto &[heir, part] : slave.receivers(n))
             {
               rows[n].gap += part * rows[heir].gap;
               rows[n].slip += part * rows[heir].slip;
@@ -325,7 +325,7 @@ namespace Contact
       {
         const Projection<dim> place =
           slave_now.closest_point(master.position(n, solution));
-        if (!place.off_the_end)
+        if (!place.beyond_end)
           interpolate(contact_pair.slave, slave, place, rows[n]);
       }
 

@@ -180,7 +180,7 @@ namespace Contact
               },
               integrals);
           }
-    integrals.sum_up();
+    integrals.compress_add();
     return integrals;
   }
 
@@ -215,7 +215,7 @@ namespace Contact
             },
             integrals);
         }
-    integrals.sum_up();
+    integrals.compress_add();
     return integrals;
   }
 

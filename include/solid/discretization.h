@@ -179,10 +179,11 @@ namespace Contact
         }
     }
 
-    /// Bring rigid boundaries of large displacement, whose leaders a step has
+    /// Bring rigid boundaries of large displacement, whose parents a step has
     /// moved, to where these are, and nodes that are held along normals to
     /// where they have to be, the round-off of the way there off. Collective.
-    void settle(GhostedVector &u, const double load_factor) const;
+    void project_on_rigid_motions(GhostedVector &u,
+                                  const double   load_factor) const;
 
     /// Add the forces of forces and moments on rigid boundaries. At full values
     /// of the undeformed boundaries, the sum of their magnitudes.
@@ -313,7 +314,7 @@ namespace Contact
     std::vector<typename SupportMotion<dim>::Formula>          formulas;
     std::map<types::global_dof_index, Prescribed<dim>>         prescribed;
     std::map<types::global_dof_index, types::global_dof_index> ties;
-    std::set<types::global_dof_index>                          leaders;
+    std::set<types::global_dof_index>                          parents;
     const std::set<types::material_id>                         small_strain;
     std::vector<RigidBoundary<dim>>                            rigid;
     std::set<types::global_dof_index>                          rigid_dofs;

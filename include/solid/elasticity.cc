@@ -152,7 +152,7 @@ namespace Contact
   // With the strain of a stretch 1 + e in large displacement: such a body is
   // without stress where it is longer by e.
   template<int dim>
-  void Elasticity<dim>::heat(const double from, const double to)
+  void Elasticity<dim>::set_thermal_strain(const double from, const double to)
   {
     if (thermal_strains.empty())
       return;
@@ -411,7 +411,7 @@ namespace Contact
                     const Vector<double> &cell_forces) {
                   forces.add(dofs, cell_forces);
                 });
-    forces.sum_up();
+    forces.compress_add();
     return forces;
   }
 
@@ -443,7 +443,7 @@ namespace Contact
                     const Vector<double> &of_cell) {
                   forces.add(dofs, of_cell);
                 });
-    forces.sum_up();
+    forces.compress_add();
     forces -= loads(u, load_factor);
     return forces;
   }

@@ -240,7 +240,7 @@ namespace Contact
 
     /// An increment changes the thermal strains from those at one load factor
     /// to those at another; at the start of a run there are none.
-    void heat(const double from, const double to);
+    void set_thermal_strain(const double from, const double to);
 
     /// In the first Newton step of an increment, from a state in which the
     /// bodies have not yet moved, tangents of large displacement are those of

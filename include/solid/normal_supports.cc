@@ -160,11 +160,11 @@ namespace Contact
     std::vector<std::vector<Dof>> found; // unknowns, and the number of a plane
     const auto add = [&](std::vector<Dof> node, const unsigned int plane) {
       for (Dof &dof : node)
-        if (const auto *leaders = hanging.get_constraint_entries(dof))
+        if (const auto *parents = hanging.get_constraint_entries(dof))
           {
-            if (leaders->size() > 1 || leaders->empty())
+            if (parents->size() > 1 || parents->empty())
               return;
-            dof = leaders->front().first;
+            dof = parents->front().first;
           }
       node.push_back(plane);
       found.push_back(std::move(node));

@@ -297,8 +297,8 @@ namespace Contact
         {
           auto &of_component =
             place.unknowns[fe.system_to_component_index(i).first];
-          if (const auto *leaders = hanging.get_constraint_entries(dofs[i]))
-            for (const auto &[dof, factor] : *leaders)
+          if (const auto *parents = hanging.get_constraint_entries(dofs[i]))
+            for (const auto &[dof, factor] : *parents)
               of_component[dof] += weight * factor;
           else
             of_component[dofs[i]] += weight;

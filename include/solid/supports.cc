@@ -291,7 +291,7 @@ namespace Contact
                                       "is tied to another point",
                                  entry,
                                  "tie both to the same point");
-              leaders.insert(leader);
+              parents.insert(leader);
             };
             visit_group(c, entry, name, tie);
           }
@@ -510,7 +510,7 @@ namespace Contact
   template<int dim>
   bool Discretization<dim>::is_tied(const types::global_dof_index dof) const
   {
-    return ties.count(dof) > 0 || leaders.count(dof) > 0 || is_rigid(dof);
+    return ties.count(dof) > 0 || parents.count(dof) > 0 || is_rigid(dof);
   }
 
   template class Discretization<2>;

@@ -40,8 +40,8 @@ namespace Contact
   void CondensedForm<dim>::update_pattern(const bool)
   {
     system->update_pattern();
-    if (while_held)
-      while_held->update_pattern();
+    if (stabilized_system)
+      stabilized_system->update_pattern();
   }
 
 
@@ -104,7 +104,8 @@ namespace Contact
                    state.solution.begin(),
                    state.solution.begin(),
                    std::plus<>());
-    model.discretization->settle(state.solution, state.load_factor);
+    model.discretization->project_on_rigid_motions(state.solution,
+                                                   state.load_factor);
     model.discretization->constrain_update(state.solution, state.load_factor);
     return n;
   }
@@ -288,7 +289,7 @@ namespace Contact
       }
     if (parameters.linear_solver != Parameters::SolverKind::automatic)
       return parameters.linear_solver;
-    if (MatrixFreeSystem<dim>::is_best(discretization, elasticity))
+    if (MatrixFreeSystem<dim>::is_preferred(discretization, elasticity))
       return Parameters::SolverKind::gmg;
     return choose_with_matrix(model);
   }
@@ -360,17 +361,17 @@ namespace Contact
     if (solver != Parameters::SolverKind::gmg ||
         model.elasticity->springs.held().empty())
       {
-        while_held.reset();
+        stabilized_system.reset();
         last = system.get();
       }
     else
       {
-        if (!while_held)
+        if (!stabilized_system)
           {
-            while_held = create(choose_with_matrix(model));
-            while_held->update_pattern();
+            stabilized_system = create(choose_with_matrix(model));
+            stabilized_system->update_pattern();
           }
-        last = while_held.get();
+        last = stabilized_system.get();
       }
     return *last;
   }

@@ -41,7 +41,7 @@ namespace Contact
     void update_pattern(const bool edges_have_changed) override;
 
     /// That of the next pairing is compared with this one.
-    void forget_pattern() override
+    void clear_pattern() override
     {
     }
 
@@ -119,7 +119,7 @@ namespace Contact
     SolverChoice               solver;
     ContactElimination<dim>    elimination;
 
-    std::unique_ptr<CondensedSystem<dim>> system, while_held;
+    std::unique_ptr<CondensedSystem<dim>> system, stabilized_system;
     CondensedSystem<dim>                 *last; // that of the last solve
 
     GhostedVector update; // of the displacements

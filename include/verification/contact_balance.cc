@@ -26,8 +26,9 @@ namespace Contact
     template<int dim>
     bool acts_over_gap(const ContactPair<dim> &contact_pair)
     {
-      return contact_pair.tied || (contact_pair.interference->at &&
-                                   contact_pair.interference->kept_apart == 0);
+      return contact_pair.tied ||
+             (contact_pair.interference->at &&
+              contact_pair.interference->initial_clearance == 0);
     }
   } // namespace
 

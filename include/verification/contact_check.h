@@ -130,8 +130,9 @@ namespace Contact
   {
   public:
     /// Of the state @p solution at the end of an increment that began with the
-    /// displacement @p u_start; by the pairing the feet of the points may be
-    /// off by @p moved [mm]. All arguments have to outlive the object.
+    /// displacement @p u_start; by the pairing the projection points of the
+    /// points may be off by @p moved [mm]. All arguments have to outlive the
+    /// object.
     ContactCheck(const Discretization<dim>   &discretization,
                  const ContactInterface<dim> &interface,
                  const Parameters::Solution  &parameters,

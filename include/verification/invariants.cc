@@ -209,8 +209,8 @@ namespace Contact
           for (const auto &[other, coefficient] : line.entries)
             reactions[other] -= coefficient * left[line.pivot];
         }
-    reactions.sum_up();
-    residual.sum_up();
+    reactions.compress_add();
+    residual.compress_add();
 
     for (const RigidBoundary<dim> &boundary : discretization.rigid_boundaries())
       add_rigid(boundary, load_factor, left, reactions, found);

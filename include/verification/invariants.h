@@ -176,9 +176,9 @@ namespace Contact
      * Check the converged state @p solution under @p load_factor. The residual
      * is below @p newton_tolerance times @p reference_force [N per mm; 0: as an
      * absolute value]. @p hold_forces are what else acts on the nodes, if
-     * anything does; by @p moved [mm] the pairing may have the feet of points
-     * off the closest ones. The data alone tell of forces of the size of @p
-     * given_force [N per mm; 0: of none].
+     * anything does; by @p moved [mm] the pairing may have the projection
+     * points of points off the closest ones. The data alone tell of forces of
+     * the size of @p given_force [N per mm; 0: of none].
      */
     Invariants check(const GhostedVector &solution,
                      const double         load_factor,

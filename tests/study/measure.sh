@@ -22,7 +22,7 @@ record() {
     *) return 0 ;;
   esac
   {
-    printf '`%s`, load of the machine before: %s\n\n' "$*" \
+    printf '`%s`, load average before: %s\n\n' "$*" \
       "$(cut -d ' ' -f 1 /proc/loadavg)"
     [ "$form" = table ] || echo '```'
     # shellcheck disable=SC2048,SC2086

@@ -364,7 +364,8 @@ namespace Contact
                                const GhostedVector     &u_start) const
   {
     const bool     tied = contact_pair(point).tied;
-    Tensor<1, dim> r, dr = point.apart_at_start - point.projection_motion;
+    Tensor<1, dim> r,
+      dr = point.interference_at_start - point.projection_motion;
     if (!tied)
       r -= point.projection;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
@@ -389,9 +390,9 @@ namespace Contact
     if (const double overlap = contact_pair(point).interference->added())
       for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
         state.gap -= overlap * point.C[a];
-    state.slip =
-      point.without(point.held_slips,
-                    point.without(point.void_slips, point.tangential_part(dr)));
+    state.slip = point.without(point.tangents_held_by_points,
+                               point.without(point.tangents_held_by_supports,
+                                             point.tangential_part(dr)));
     // Without multipliers in the vector the question is for the gap alone.
     if (solution.size() > discretization.dof_handler.n_dofs())
       for (unsigned int k = 0; k < point.n_multipliers; ++k)
@@ -404,12 +405,13 @@ namespace Contact
                 point.psi[k] *
                 solution[tangential_index(point.multipliers[k], t)];
         }
-    if (point.springs.norm() > 0)
-      state.slip += point.springs * (state.lambda_t - point.shear_at_start) /
+    if (point.stick_compliance.norm() > 0)
+      state.slip += point.stick_compliance *
+                    (state.lambda_t - point.shear_at_start) /
                     point.augmentation_parameter;
     state.p_trial = state.lambda_n - point.augmentation_parameter * state.gap;
     state.q_trial =
-      point.without(point.held_slips,
+      point.without(point.tangents_held_by_points,
                     state.lambda_t - point.augmentation_parameter * state.slip);
     return state;
   }
@@ -441,7 +443,7 @@ namespace Contact
 
 
   template<int dim>
-  void ContactInterface<dim>::forget_changes()
+  void ContactInterface<dim>::clear_changes()
   {
     for (ContactPoint<dim> &point : all_points)
       point.change = PairingChange<dim>();

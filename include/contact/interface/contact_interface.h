@@ -206,9 +206,9 @@ namespace Contact
      * @p start, as if they had a clearance, so that each step closes a part of
      * it. An increment in one step closes all of it.
      */
-    void close_overlaps(const double         from,
-                        const double         to,
-                        const GhostedVector &start);
+    void ramp_initial_penetration(const double         from,
+                                  const double         to,
+                                  const GhostedVector &start);
 
     /// The obstacles are where they are in @p solution. With @p keeps_place the
     /// pairing stays that of before.
@@ -280,7 +280,7 @@ namespace Contact
     }
 
     /// The pairing stands still from now on.
-    void forget_changes();
+    void clear_changes();
 
     /// The largest change of a displacement of the surfaces [mm].
     double largest_change(const GhostedVector &u,
@@ -413,7 +413,7 @@ namespace Contact
     }
 
     /// The slip is without what springs give way, see
-    /// PointPairing::springs.
+    /// PointPairing::stick_compliance.
     ContactState<dim> state(const ContactPoint<dim> &point,
                             const GhostedVector     &solution,
                             const GhostedVector     &u_start) const;
@@ -468,7 +468,8 @@ namespace Contact
                                                 const StatusOf &status_of) const
   {
     return status_of(point).kind != Status::open &&
-           frames.held_slips(all_points, point, status_of).size() == dim - 1;
+           frames.tangents_held_by_points(all_points, point, status_of)
+               .size() == dim - 1;
   }
 
 

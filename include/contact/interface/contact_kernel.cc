@@ -184,7 +184,7 @@ namespace Contact
                            const GhostedVector   &u_start) const
   {
     Tensor<1, 2> r   = -point.projection;
-    Tensor<1, 2> d_r = point.apart_at_start - point.projection_motion;
+    Tensor<1, 2> d_r = point.interference_at_start - point.projection_motion;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       for (unsigned int i = 0; i < 2; ++i)
         {

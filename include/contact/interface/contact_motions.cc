@@ -106,11 +106,12 @@ namespace Contact
   {
     for (ContactPoint<dim> &point : all_points)
       {
-        const auto &interference = *contact_pair(point).interference;
-        point.shear_at_start     = state(point, solution, solution).lambda_t;
-        point.apart_at_start     = Tensor<1, dim>();
+        const auto &interference    = *contact_pair(point).interference;
+        point.shear_at_start        = state(point, solution, solution).lambda_t;
+        point.interference_at_start = Tensor<1, dim>();
         if (interference.at)
-          point.apart_at_start = interference.at(Point<1>(from)) * point.normal;
+          point.interference_at_start =
+            interference.at(Point<1>(from)) * point.normal;
       }
   }
 
@@ -132,9 +133,10 @@ namespace Contact
 
 
   template<int dim>
-  void ContactInterface<dim>::close_overlaps(const double         from,
-                                             const double         to,
-                                             const GhostedVector &start)
+  void
+  ContactInterface<dim>::ramp_initial_penetration(const double         from,
+                                                  const double         to,
+                                                  const GhostedVector &start)
   {
     for (const auto &contact_pair : pairs)
       if (!contact_pair->tied)
@@ -142,18 +144,18 @@ namespace Contact
           auto &interference = *contact_pair->interference;
           if (from == 0 && to < 1)
             {
-              interference.at_start = interference.kept_apart = 0;
+              interference.at_start = interference.initial_clearance = 0;
               for (const ContactPoint<dim> &point : points_of(*contact_pair))
                 if (point.facing)
                   interference.at_start =
                     std::max(interference.at_start,
                              -state(point, start, start).gap);
             }
-          interference.kept_apart = (1 - to) * interference.at_start;
+          interference.initial_clearance = (1 - to) * interference.at_start;
           for (unsigned int k = 0; k < contact_pair->n_points; ++k)
             {
               auto &point = all_points[contact_pair->first_point + k];
-              point.apart_at_start -=
+              point.interference_at_start -=
                 (1 - from) * interference.at_start * point.normal;
             }
         }

@@ -286,7 +286,7 @@ namespace Contact
     make_axis_points(points);
     n_of_slave = points.size();
     if (!tied && !law.is_frictionless())
-      mark_rims(slave, multipliers, discretization, points);
+      mark_dirichlet_edges(slave, multipliers, discretization, points);
     if (can_have_corner_points())
       for (ContactPoint<dim> &corner : make_corner_points(*master))
         {
@@ -378,7 +378,7 @@ namespace Contact
                 return {{middle, 4. / 3}, {end, -1. / 3}};
             }
     std::vector<std::pair<unsigned int, double>> parts;
-    for (const auto &[heir, part] : slave.heirs(node))
+    for (const auto &[heir, part] : slave.receivers(node))
       if (multiplier(heir) != numbers::invalid_unsigned_int)
         parts.emplace_back(multiplier(heir), part);
     return parts;

@@ -75,12 +75,12 @@ namespace Contact
 
       /// The depth by which the surfaces of the mesh overlap, and the part of
       /// it by which they are kept apart: see
-      /// ContactInterface::close_overlaps().
-      double at_start = 0, kept_apart = 0;
+      /// ContactInterface::ramp_initial_penetration().
+      double at_start = 0, initial_clearance = 0;
 
       double added() const
       {
-        return now - kept_apart;
+        return now - initial_clearance;
       }
     };
     const std::unique_ptr<Interference> interference;

@@ -32,9 +32,9 @@ namespace Contact
         if (point.facing &&
             !is_free_along(point, 1, point.normal, discretization))
           {
-            point.void_slips.clear();
-            point.tangential_row_is_void =
-              tangential_row_is_void(point, discretization);
+            point.tangents_held_by_supports.clear();
+            point.has_no_free_tangent =
+              has_no_free_tangent(point, discretization);
           }
         if (!free_motions.empty())
           point.motions = {{-point.normal, 0}};

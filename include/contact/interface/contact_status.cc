@@ -76,10 +76,12 @@ namespace Contact
     if (dim == 3)
       for (const auto &[q, others] : frames.others())
         if (gives_tangents_up(contact_pair(all_points[q])))
-          all_points[q].held_slips =
-            frames.held_slips(all_points, q, [this](const unsigned int point) {
-              return all_points[point].status;
-            });
+          all_points[q].tangents_held_by_points =
+            frames.tangents_held_by_points(all_points,
+                                           q,
+                                           [this](const unsigned int point) {
+                                             return all_points[point].status;
+                                           });
   }
 
 
@@ -131,7 +133,7 @@ namespace Contact
   template<int dim>
   bool ContactInterface<dim>::can_stick(const ContactPoint<dim> &point) const
   {
-    return has_friction(point) && !point.tangential_row_is_void &&
+    return has_friction(point) && !point.has_no_free_tangent &&
            slip_of_supports(point) == Tensor<1, dim - 1>();
   }
 
@@ -173,7 +175,7 @@ namespace Contact
     if (!has_friction(point) || contact_pair(point).tied ||
         support_motion.size() == 0)
       return {};
-    if (!point.tangential_row_is_void && q_trial.norm() > 0)
+    if (!point.has_no_free_tangent && q_trial.norm() > 0)
       return direction_of<dim>(q_trial);
     const Tensor<1, dim - 1> slip = slip_of_supports(point);
     return slip.norm() > 0 ? direction_of<dim>(-slip)

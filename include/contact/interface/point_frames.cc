@@ -217,7 +217,8 @@ namespace Contact
 
     /// The middle of the nodes of the other body by their part in a point.
     template<int dim>
-    Tensor<1, dim> foot(const ContactPoint<dim> &point, const GhostedVector &u)
+    Tensor<1, dim> projection_point(const ContactPoint<dim> &point,
+                                    const GhostedVector     &u)
     {
       Tensor<1, dim> sum;
       double         weight = 0;
@@ -252,7 +253,9 @@ namespace Contact
     const auto is_behind = [&](const ContactPoint<dim> &a,
                                const ContactPoint<dim> &b) {
       const ContactPair<dim> &of_a = *(*pairs)[a.contact_pair];
-      return (middle(*of_a.master, a.master_facet, u) - foot(b, u)) * b.normal <
+      return (middle(*of_a.master, a.master_facet, u) -
+              projection_point(b, u)) *
+                 b.normal <
                0 &&
              (middle(of_a.slave, a.slave_facet, u) - place(b, 0, u)) *
                  b.normal >

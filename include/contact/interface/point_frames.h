@@ -39,8 +39,8 @@ namespace Contact
    *    pressure; the others face nothing. In results each of them has the
    *    pressure of the first one and its own part of the weight.
    * 4. Normals come before tangents: along the normals of the other points in
-   *    contact a point does not slip, and has no shear. held_slips() follows
-   *    the active set.
+   *    contact a point does not slip, and has no shear.
+   * tangents_held_by_points() follows the active set.
    */
   template<int dim>
   class PointFrames
@@ -82,9 +82,9 @@ namespace Contact
     /// point by its number.
     template<typename StatusOf>
     std::vector<Tensor<1, dim>>
-    held_slips(const std::vector<ContactPoint<dim>> &points,
-               const unsigned int                    q,
-               const StatusOf                       &status_of) const;
+    tangents_held_by_points(const std::vector<ContactPoint<dim>> &points,
+                            const unsigned int                    q,
+                            const StatusOf &status_of) const;
 
     /// The normal multiplier that is the pressure for which a point has the
     /// multiplier @p k: that, or the one of the point that it is joined to.
@@ -122,10 +122,10 @@ namespace Contact
 
   template<int dim>
   template<typename StatusOf>
-  std::vector<Tensor<1, dim>>
-  PointFrames<dim>::held_slips(const std::vector<ContactPoint<dim>> &points,
-                               const unsigned int                    q,
-                               const StatusOf &status_of) const
+  std::vector<Tensor<1, dim>> PointFrames<dim>::tangents_held_by_points(
+    const std::vector<ContactPoint<dim>> &points,
+    const unsigned int                    q,
+    const StatusOf                       &status_of) const
   {
     std::vector<Tensor<1, dim>> held;
     const auto                  of_node = others_at_node.find(q);

@@ -76,7 +76,7 @@ namespace Contact
 
   void keep_symmetric(const ContactPoint<3> &point, PairingChange<3> &change)
   {
-    for (const Tensor<1, 3> &across : point.void_slips)
+    for (const Tensor<1, 3> &across : point.tangents_held_by_supports)
       {
         const Tensor<1, 2> direction = point.tangential_part(across);
         for (Tensor<1, 2> &turn : change.turn)

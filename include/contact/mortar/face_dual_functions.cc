@@ -111,18 +111,18 @@ namespace Contact
     for (const unsigned int a : others)
       {
         double                    nearest = std::numeric_limits<double>::max();
-        std::vector<unsigned int> heirs;
+        std::vector<unsigned int> receivers;
         for (const unsigned int b : with_carriers)
           {
             const double distance = node_place<3>(a).distance(node_place<3>(b));
             if (distance < nearest)
-              heirs.clear();
+              receivers.clear();
             nearest = std::min(nearest, distance);
             if (distance == nearest)
-              heirs.push_back(b);
+              receivers.push_back(b);
           }
-        for (const unsigned int b : heirs)
-          hand_over(a, b, 1. / heirs.size());
+        for (const unsigned int b : receivers)
+          hand_over(a, b, 1. / receivers.size());
       }
   }
 

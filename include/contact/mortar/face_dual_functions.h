@@ -44,13 +44,13 @@ namespace Contact
    * of degree 2 faces the master in part, and that takes more than half of its
    * integral from one of them, which may make it negative: there they are the
    * piecewise bilinear functions of the nine nodes. A hanging node leaves its
-   * function to its heirs, of which one may be beyond the facet; and a node
+   * function to its receivers, of which one may be beyond the facet; and a node
    * without a multiplier, or that the master covers much less of than of
    * others, or whose function is there nearly a multiple of another one, to the
    * nearest ones that keep theirs: the M_j still sum up to one, and have
    * positive integrals. Where a hanging node alone keeps its function, its
-   * heirs have multiples of one M_j: with a pseudo-inverse of G they have the
-   * same multiples of one Phi_k, which sum up to one as well.
+   * receivers have multiples of one M_j: with a pseudo-inverse of G they have
+   * the same multiples of one Phi_k, which sum up to one as well.
    */
   class FacetDualFunctions
   {

@@ -132,7 +132,7 @@ namespace Contact
       for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
         {
           double whole = 0;
-          for (const auto &heir : slave.heirs(slave.facets[e].nodes[a]))
+          for (const auto &heir : slave.receivers(slave.facets[e].nodes[a]))
             if (excluded.count(heir.first) == 0)
               {
                 carries[e][a].push_back(heir);

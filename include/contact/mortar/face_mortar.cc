@@ -22,10 +22,10 @@ namespace Contact
       boost::container::flat_map<unsigned int, double> values;
       values.reserve(of.size());
       for (const auto &[node, integrals] : of)
-        if (surface.leaders[node].empty())
+        if (surface.parents[node].empty())
           values[node] += value_of(integrals);
         else
-          for (const auto &[leader, part] : surface.leaders[node])
+          for (const auto &[leader, part] : surface.parents[node])
             values[leader] += part * value_of(integrals);
       return values;
     }
@@ -312,7 +312,7 @@ namespace Contact
     add_nodes(integrals, node, point);
     point.projection = bulge(integrals);
     make_symmetric(point, discretization, u, 1e-6 * length);
-    const Tensor<1, 3> r = move_feet(integrals, now, point);
+    const Tensor<1, 3> r = move_projections(integrals, now, point);
 
     // A mean with weights of either sign is no less than the least of the
     // distances, which at a corner of the slave is that of the node itself; a
@@ -324,8 +324,7 @@ namespace Contact
     const double excess = r * point.normal - smallest + 1e-4 * length;
     if (excess < 0)
       point.projection += excess * point.normal;
-    point.tangential_row_is_void =
-      tangential_row_is_void(point, discretization);
+    point.has_no_free_tangent = has_no_free_tangent(point, discretization);
     skip_where_held(point, discretization, u);
   }
 
@@ -394,10 +393,10 @@ namespace Contact
     const auto add = [&](const Surface<3>  &surface,
                          const unsigned int node,
                          const double       integral) {
-      if (surface.leaders[node].empty())
+      if (surface.parents[node].empty())
         return;
       Tensor<1, 3> beside(surface.nodes[node].X);
-      for (const auto &[leader, part] : surface.leaders[node])
+      for (const auto &[leader, part] : surface.parents[node])
         beside -= part * Tensor<1, 3>(surface.nodes[leader].X);
       sum -= integral / integrals.weight * beside;
     };
@@ -411,10 +410,10 @@ namespace Contact
 
 
   // Facets that are far from tangential to the point do not carry it along.
-  Tensor<2, 3>
-  MortarDiscretization<3>::way_of_feet(const NodeIntegrals     &integrals,
-                                       const FaceConfiguration &now,
-                                       const ContactPoint<3>   &point) const
+  Tensor<2, 3> MortarDiscretization<3>::way_of_projections(
+    const NodeIntegrals     &integrals,
+    const FaceConfiguration &now,
+    const ContactPoint<3>   &point) const
   {
     Tensor<2, 3> moves; // of x_master by tau
     for (const auto &[m, of_node] : integrals.master)
@@ -442,16 +441,16 @@ namespace Contact
 
   // Returns the rest of the distance.
   Tensor<1, 3>
-  MortarDiscretization<3>::move_feet(const NodeIntegrals     &integrals,
-                                     const FaceConfiguration &now,
-                                     ContactPoint<3>         &point) const
+  MortarDiscretization<3>::move_projections(const NodeIntegrals     &integrals,
+                                            const FaceConfiguration &now,
+                                            ContactPoint<3> &point) const
   {
     Tensor<1, 3> r;
     for (const auto &[a, integral] : integrals.slave)
       r += integral / integrals.weight * now.slave_x[a];
     for (const auto &[m, of_node] : integrals.master)
       r -= of_node.value / integrals.weight * now.master_x[m];
-    const Tensor<1, 3> tau       = way_of_feet(integrals, now, point) * r;
+    const Tensor<1, 3> tau = way_of_projections(integrals, now, point) * r;
     const auto         change_of = [&](const OfMaster &of_node) {
       return of_node.gradient * tau / integrals.weight;
     };

@@ -30,10 +30,10 @@ namespace Contact
    * Meth. Engng. 83, 2010), and of degree 2, with the 9 nodes of a facet, all
    * D_k are positive.
    *
-   * Normal, the lower limit of the gap, and the shift of the feet that balances
-   * the moments are as in the plane. Derivatives are of first order in the
-   * distance of the surfaces, which is zero where they matter: those of points
-   * in contact.
+   * Normal, the lower limit of the gap, and the shift of the projection points
+   * that balances the moments are as in the plane. Derivatives are of first
+   * order in the distance of the surfaces, which is zero where they matter:
+   * those of points in contact.
    */
   template<>
   class MortarDiscretization<3>
@@ -103,14 +103,15 @@ namespace Contact
                            const unsigned int   node,
                            ContactPoint<3>     &point) const;
     Point<3>     bulge(const NodeIntegrals &integrals) const;
-    /// The feet of a point move along the master by the tau that leaves no
-    /// offset r between slave and master along the tangents: tau = way r.
-    Tensor<2, 3> way_of_feet(const NodeIntegrals     &integrals,
-                             const FaceConfiguration &now,
-                             const ContactPoint<3>   &point) const;
-    Tensor<1, 3> move_feet(const NodeIntegrals     &integrals,
-                           const FaceConfiguration &now,
-                           ContactPoint<3>         &point) const;
+    /// The projection points of a point move along the master by the tau that
+    /// leaves no offset r between slave and master along the tangents: tau =
+    /// way r.
+    Tensor<2, 3> way_of_projections(const NodeIntegrals     &integrals,
+                                    const FaceConfiguration &now,
+                                    const ContactPoint<3>   &point) const;
+    Tensor<1, 3> move_projections(const NodeIntegrals     &integrals,
+                                  const FaceConfiguration &now,
+                                  ContactPoint<3>         &point) const;
 
     unsigned int slave_node(const ContactPoint<3> &point) const;
 

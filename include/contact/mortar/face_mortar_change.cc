@@ -109,8 +109,8 @@ namespace Contact
             change.turn[columns.at(dofs) + j][t] +=
               point.tangents[t][i] * turn[i][j];
 
-    // By column, the change of the offset along the tangents, which the feet
-    // follow.
+    // By column, the change of the offset along the tangents, which the
+    // projection points follow.
     std::vector<Tensor<1, 3>> offset(change.dofs.size());
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       if (const auto column = columns.find(point.dofs(a));
@@ -122,7 +122,7 @@ namespace Contact
         for (unsigned int j = 0; j < 3; ++j)
           offset[columns.at(dofs) + j] -=
             derivative[j] / integrals.weight * now.master_x[m];
-    const Tensor<2, 3> way = way_of_feet(integrals, now, point);
+    const Tensor<2, 3> way = way_of_projections(integrals, now, point);
 
     std::map<NodeDoFs<3>, unsigned int> rows;
     for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)

@@ -291,9 +291,11 @@ namespace Contact
     const Point<3> &x = now.slave_x[node];
     if (!closest[node])
       {
-        const Projection<3> foot = now.search.closest_alone(x);
-        closest[node] = Closest{std::sqrt(now.search.distance_square(x, foot)),
-                                now.search.normal(foot.facet, foot.xi)};
+        const Projection<3> projection_point = now.search.closest_alone(x);
+        closest[node] =
+          Closest{std::sqrt(now.search.distance_square(x, projection_point)),
+                  now.search.normal(projection_point.facet,
+                                    projection_point.xi)};
       }
     if (directions.faces(closest[node]->normal))
       return closest[node]->distance;

@@ -154,9 +154,8 @@ namespace Contact
     point.master_facet = pairing.master_facet;
     point.projection   = Point<2>(pairing.excess * point.normal);
 
-    point.tangential_row_is_void =
-      tangential_row_is_void(point, discretization) ||
-      is_on_symmetry_line(point, u);
+    point.has_no_free_tangent = has_no_free_tangent(point, discretization) ||
+                                is_on_symmetry_line(point, u);
   }
 
 
@@ -199,7 +198,7 @@ namespace Contact
           pair.keep_nodes(1);
           pair.add_node(*point.nodes[a], -1);
           pair.C[0] = 1;
-          if (tangential_row_is_void(pair, discretization))
+          if (has_no_free_tangent(pair, discretization))
             return true;
         }
     return false;

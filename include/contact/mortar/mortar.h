@@ -63,7 +63,7 @@ namespace Contact
    *    in the space everywhere, and D_k > 0. Other nodes of the edge are then
    *    in g_k, too.
    *  - On a symmetry line the normal is along the line.
-   *  - The feet of a node are shifted along the master such that
+   *  - The projection points of a node are shifted along the master such that
    *    x_slave - x_master, weighted, is parallel to n_k. The shift vanishes
    *    with the gap; with it the forces balance in moment exactly, not only up
    *    to the gap (the same end as in M. A. Puso and T. A. Laursen, Comput.

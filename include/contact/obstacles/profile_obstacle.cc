@@ -86,14 +86,14 @@ namespace Contact
     const Point<2>            at(x[0], x[1]);
     double                    smallest = std::numeric_limits<double>::max();
     Obstacle<2>::ClosestPoint closest{};
-    const auto                take = [&](const Point<2>     &foot,
+    const auto                take = [&](const Point<2>     &projection_point,
                           const Tensor<1, 2> &normal,
                           const double        radius) {
-      const double distance = at.distance(foot);
+      const double distance = at.distance(projection_point);
       if (distance < smallest)
         {
           smallest = distance;
-          closest  = {foot, normal, radius};
+          closest  = {projection_point, normal, radius};
         }
     };
     const double slack = 1e-12; // round-off

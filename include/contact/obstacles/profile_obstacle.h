@@ -18,8 +18,8 @@ namespace Contact
    * the last point is the first one the line is closed, else its first and last
    * edge go on without end. At a corner with the edges a and b, which turn by
    * the angle alpha, an arc of the radius r replaces r tan(|alpha|/2) of both:
-   * the line has a tangent everywhere, and the closest point of it is the foot
-   * of a perpendicular on an edge or on an arc.
+   * the line has a tangent everywhere, and the closest point of it is the
+   * projection point of a perpendicular on an edge or on an arc.
    */
   template<int dim>
   class ProfileObstacle : public Obstacle<dim>

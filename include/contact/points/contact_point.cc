@@ -51,11 +51,12 @@ namespace Contact
   template<int dim>
   std::vector<Tensor<1, dim>> ContactPoint<dim>::directions_of_slip() const
   {
-    std::vector<Tensor<1, dim>> directions = this->void_slips;
-    for (const Tensor<1, dim> &across : held_slips)
+    std::vector<Tensor<1, dim>> directions = this->tangents_held_by_supports;
+    for (const Tensor<1, dim> &across : tangents_held_by_points)
       add_orthonormal(across, directions);
     for (unsigned int t = 0; t < dim - 1; ++t)
-      add_orthonormal(this->along_tangents(this->springs[t]), directions);
+      add_orthonormal(this->along_tangents(this->stick_compliance[t]),
+                      directions);
     const unsigned int n_others = directions.size();
     for (unsigned int i = 0; i < dim; ++i)
       add_orthonormal(Tensor<1, dim>(Point<dim>::unit_vector(i)), directions);

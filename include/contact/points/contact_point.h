@@ -65,8 +65,8 @@ namespace Contact
     double augmentation_parameter = 0; // the c of p - c g [MPa/mm]
 
     // Directions that supports hold the slave's node along, but not all nodes
-    // around it: see mark_rims().
-    std::vector<Tensor<1, dim>> rim;
+    // around it: see mark_dirichlet_edges().
+    std::vector<Tensor<1, dim>> dirichlet_edges;
 
     // The multipliers that act here: p = sum_k psi_k lambda_k.
     unsigned int                              n_multipliers = 0;
@@ -181,15 +181,15 @@ namespace Contact
 
     // A tangential row that says no more than the normal one is dropped: so
     // at a slave node on a symmetry line.
-    bool tangential_row_is_void = false;
+    bool has_no_free_tangent = false;
 
     // In space across planes of symmetry there is no slip, though nodes beside
     // them are in the row. Orthonormal.
-    std::vector<Tensor<1, dim>> void_slips;
+    std::vector<Tensor<1, dim>> tangents_held_by_supports;
 
     // The projection on the rim, where the master is free along the surface: a
     // spring of the stiffness c holds what sticks there.
-    Tensor<2, dim - 1> springs;
+    Tensor<2, dim - 1> stick_compliance;
   };
 
 
@@ -235,7 +235,7 @@ namespace Contact
 
     // The distance that an interference put between the surfaces at the
     // increment's start [mm]: it turns with them, which is no slip.
-    Tensor<1, dim> apart_at_start;
+    Tensor<1, dim> interference_at_start;
 
     // Bound of the shear traction while a Tresca problem is solved [MPa].
     double friction_bound = 0;
@@ -245,7 +245,7 @@ namespace Contact
 
     // In space, the directions along the tangents in which other points in
     // contact hold the node, see PointFrames. Orthonormal.
-    std::vector<Tensor<1, dim>> held_slips;
+    std::vector<Tensor<1, dim>> tangents_held_by_points;
 
     // Of a point that is joined to others; else nothing.
     std::shared_ptr<const JoinedPoint<dim>> joined;

@@ -131,7 +131,7 @@ namespace Contact
       return {};
     const Tensor<1, 2> along =
       point.tangents[0] - (rows.nn > 0 ? rows.nt / rows.nn : 0.) * point.normal;
-    double slip = point.tangents[0] * point.apart_at_start -
+    double slip = point.tangents[0] * point.interference_at_start -
                   along * point.projection_motion,
            size = std::abs(slip);
     for (unsigned int a = 0; a < point.n_nodes; ++a)
@@ -167,7 +167,7 @@ namespace Contact
       for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
         {
           const unsigned int node = slave.facets[e].nodes[a];
-          if (excluded.count(node) > 0 || !slave.leaders[node].empty())
+          if (excluded.count(node) > 0 || !slave.parents[node].empty())
             continue;
 
           if (multipliers.of_node[node] == numbers::invalid_unsigned_int)
@@ -182,7 +182,8 @@ namespace Contact
         }
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
       for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-        for (const auto &[node, part] : slave.heirs(slave.facets[e].nodes[a]))
+        for (const auto &[node, part] :
+             slave.receivers(slave.facets[e].nodes[a]))
           if (const unsigned int k = multipliers.of_node[node];
               k != numbers::invalid_unsigned_int)
             points[k].weight += part * share_of_node(slave, e, a);
@@ -379,15 +380,14 @@ namespace Contact
       projection = master.closest_facing(x, directions);
     const double beyond = (largest_coordinate(projection.xi) - 1) / 2 *
                           master.surface.reference_length(projection.facet);
-    point.facing       = !projection.off_the_end && beyond <= directions.reach;
+    point.facing       = !projection.beyond_end && beyond <= directions.reach;
     point.master_facet = projection.facet;
     point.master_xi    = projection.xi;
 
     point.keep_nodes(point.n_slave_nodes);
     face_master(point, projection, master, discretization, u);
     skip_where_held(point, discretization, u);
-    point.tangential_row_is_void =
-      tangential_row_is_void(point, discretization);
+    point.has_no_free_tangent = has_no_free_tangent(point, discretization);
   }
 
 
@@ -416,8 +416,7 @@ namespace Contact
     point.projection_motion    = projection.motion;
     point.projection_stretch   = projection.stretch;
     point.motions              = projection.motions;
-    point.tangential_row_is_void =
-      tangential_row_is_void(point, discretization);
+    point.has_no_free_tangent  = has_no_free_tangent(point, discretization);
   }
 
   template std::vector<ContactPoint<2>>

@@ -70,8 +70,8 @@ namespace Contact
 
   /// Whether supports leave no direction of slip.
   template<int dim>
-  bool tangential_row_is_void(const ContactPoint<dim>   &point,
-                              const Discretization<dim> &discretization)
+  bool has_no_free_tangent(const ContactPoint<dim>   &point,
+                           const Discretization<dim> &discretization)
   {
     return free_slips(point, discretization).empty();
   }
@@ -124,15 +124,15 @@ namespace Contact
   /// Mark where what supports hold of the slave ends. A node there that sticks
   /// gives no way. Where the master has fewer in such a row it could not
   /// follow, and shears would alternate between their bounds.
-  void mark_rims(const Surface<3>             &slave,
-                 const MultiplierSpace        &multipliers,
-                 const Discretization<3>      &discretization,
-                 std::vector<ContactPoint<3>> &points);
+  void mark_dirichlet_edges(const Surface<3>             &slave,
+                            const MultiplierSpace        &multipliers,
+                            const Discretization<3>      &discretization,
+                            std::vector<ContactPoint<3>> &points);
 
-  inline void mark_rims(const Surface<2> &,
-                        const MultiplierSpace &,
-                        const Discretization<2> &,
-                        std::vector<ContactPoint<2>> &)
+  inline void mark_dirichlet_edges(const Surface<2> &,
+                                   const MultiplierSpace &,
+                                   const Discretization<2> &,
+                                   std::vector<ContactPoint<2>> &)
   {
   }
 

@@ -125,9 +125,9 @@ namespace Contact
                    point.normal,
                    point.tangents,
                    point.projection,
-                   point.tangential_row_is_void,
-                   point.void_slips,
-                   point.springs,
+                   point.has_no_free_tangent,
+                   point.tangents_held_by_supports,
+                   point.stick_compliance,
                    point.change.dofs,
                    point.change.slide,
                    point.C);

@@ -22,13 +22,13 @@ namespace Contact
                    std::map<unsigned int, double> &parts,
                    Point<3>                       &left)
     {
-      if (master.leaders[node].empty())
+      if (master.parents[node].empty())
         {
           parts[node] += value;
           return;
         }
       Tensor<1, 3> beside(master.nodes[node].X);
-      for (const auto &[leader, part] : master.leaders[node])
+      for (const auto &[leader, part] : master.parents[node])
         {
           parts[leader] += part * value;
           beside -= part * Tensor<1, 3>(master.nodes[leader].X);
@@ -120,8 +120,9 @@ namespace Contact
     for (const auto &direction : held)
       {
         const Tensor<1, 2> along = point.tangential_part(direction);
-        double slip = point.along_tangents(along) * point.apart_at_start -
-                      direction * point.projection_motion;
+        double             slip =
+          point.along_tangents(along) * point.interference_at_start -
+          direction * point.projection_motion;
         double size = std::abs(slip);
         for (unsigned int a = 0; a < point.n_nodes; ++a)
           for (unsigned int c = 0; c < 3; ++c)
@@ -176,31 +177,33 @@ namespace Contact
       normal -= (normal * across) * across;
     if (normal.norm() > 0)
       point.normal = normal / normal.norm();
-    point.void_slips = planes;
+    point.tangents_held_by_supports = planes;
     for (const Tensor<1, 3> &across : slanted)
       add_orthonormal(across - (point.normal * across) * point.normal,
-                      point.void_slips);
+                      point.tangents_held_by_supports);
     set_tangents(point);
 
     std::vector<Tensor<1, 2>> basis;
-    for (const Tensor<1, 3> &across : point.void_slips)
+    for (const Tensor<1, 3> &across : point.tangents_held_by_supports)
       basis.push_back(point.tangential_part(across));
-    point.springs = 0;
-    for (const Tensor<1, 3> &held : point.rim)
+    point.stick_compliance = 0;
+    for (const Tensor<1, 3> &held : point.dirichlet_edges)
       for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
         if (std::abs(point.normal * held) < sine &&
             !is_held(point.dofs(a), held, discretization))
           add_orthonormal(point.tangential_part(held), basis);
-    for (unsigned int k = point.void_slips.size(); k < basis.size(); ++k)
-      point.springs += outer_product(basis[k], basis[k]);
+    for (unsigned int k = point.tangents_held_by_supports.size();
+         k < basis.size();
+         ++k)
+      point.stick_compliance += outer_product(basis[k], basis[k]);
   }
 
 
 
-  void mark_rims(const Surface<3>             &slave,
-                 const MultiplierSpace        &multipliers,
-                 const Discretization<3>      &discretization,
-                 std::vector<ContactPoint<3>> &points)
+  void mark_dirichlet_edges(const Surface<3>             &slave,
+                            const MultiplierSpace        &multipliers,
+                            const Discretization<3>      &discretization,
+                            std::vector<ContactPoint<3>> &points)
   {
     for (unsigned int node = 0; node < slave.nodes.size(); ++node)
       for (const Tensor<1, 3> &direction :
@@ -216,7 +219,7 @@ namespace Contact
           const unsigned int k = multipliers.of_node[node];
           if (k < points.size() && one_is_free &&
               is_held(slave.nodes[node].dofs, direction, discretization))
-            points[k].rim.push_back(direction);
+            points[k].dirichlet_edges.push_back(direction);
         }
   }
 

@@ -116,7 +116,7 @@ namespace Contact
             };
             const auto projection = facing.closest_facing(x, directions);
             const unsigned int f  = projection.facet;
-            if (projection.off_the_end || projection.clipped ||
+            if (projection.beyond_end || projection.clipped ||
                 largest_coordinate(projection.xi) > 1)
               continue;
             const double behind = -((x - facing.position(f, projection.xi)) *

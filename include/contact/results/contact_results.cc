@@ -114,7 +114,7 @@ namespace Contact
         patches.arc_length(at),
         true,
         point.status.kind == Status::stick,
-        point.tangential_row_is_void && !point.status.has_direction(),
+        point.has_no_free_tangent && !point.status.has_direction(),
         part * traction.p,
         std::abs(interface.state(point, solution, u_start).slip[0])};
     };

@@ -38,17 +38,19 @@ namespace Contact
     /// that is not known.
     template<int dim>
     bool is_beyond_end(const DeformedSurface<dim> &surface,
-                       const Projection<dim>      &foot,
+                       const Projection<dim>      &projection_point,
                        const Point<dim>           &x,
                        const double                round_off)
     {
-      const auto &facet = surface.surface.facets[foot.facet];
+      const auto &facet = surface.surface.facets[projection_point.facet];
       for (unsigned int s = 0; s < facet.n_sides; ++s)
         if (facet.ends_surface(s) &&
-            (s % 2 == 0 ? -1 : 1) * coordinate(foot.xi, s / 2) >= 1)
+            (s % 2 == 0 ? -1 : 1) * coordinate(projection_point.xi, s / 2) >= 1)
           {
-            const Tensor<1, dim> n = surface.normal(foot.facet, foot.xi);
-            const Tensor<1, dim> r = x - surface.position(foot.facet, foot.xi);
+            const Tensor<1, dim> n =
+              surface.normal(projection_point.facet, projection_point.xi);
+            const Tensor<1, dim> r =
+              x - surface.position(projection_point.facet, projection_point.xi);
             return (r - (r * n) * n).norm() > round_off;
           }
       return false;
@@ -73,10 +75,12 @@ namespace Contact
     bool         is_behind = false, is_beyond = false;
     for (const DeformedSurface<dim> &surface : deformed[body])
       {
-        const Projection<dim> foot = surface.closest_point(x);
-        const double distance = std::sqrt(surface.distance_square(x, foot));
-        const double length   = surface.surface.reference_length(foot.facet);
-        const double same     = round_off * length;
+        const Projection<dim> projection_point = surface.closest_point(x);
+        const double          distance =
+          std::sqrt(surface.distance_square(x, projection_point));
+        const double length =
+          surface.surface.reference_length(projection_point.facet);
+        const double same = round_off * length;
         if (distance > nearest + same)
           continue;
         const auto behind = [&](const unsigned int     facet,
@@ -86,17 +90,18 @@ namespace Contact
                  same;
         };
         const bool is_here =
-          behind(foot.facet, foot.xi) &&
-          std::all_of(foot.twins.begin(),
-                      foot.twins.end(),
+          behind(projection_point.facet, projection_point.xi) &&
+          std::all_of(projection_point.twins.begin(),
+                      projection_point.twins.end(),
                       [&](const auto &twin) {
                         return behind(twin.first, twin.second);
                       });
         const bool is_nearer = distance < nearest - same;
         is_behind            = is_here && (is_behind || is_nearer);
-        is_beyond = is_nearer && is_beyond_end(surface, foot, x, same);
-        nearest   = std::min(nearest, distance);
-        beyond    = DeformedSurface<dim>::overhang * length;
+        is_beyond =
+          is_nearer && is_beyond_end(surface, projection_point, x, same);
+        nearest = std::min(nearest, distance);
+        beyond  = DeformedSurface<dim>::overhang * length;
       }
     return nearest <= beyond || (is_behind && !is_beyond);
   }

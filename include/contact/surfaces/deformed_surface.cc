@@ -261,14 +261,14 @@ namespace Contact
       const Tensor<1, dim> n = normal(candidate.facet, candidate.xi);
       return directions.faces(n) && is_near(candidate, n);
     });
-    if (found.off_the_end && directions.at_end)
+    if (found.beyond_end && directions.at_end)
       {
         const Projection<dim> next =
           choose(x, [&](const Projection<dim> &candidate) {
             const Tensor<1, dim> n = normal(candidate.facet, candidate.xi);
             return directions.is_beside(n) && is_near(candidate, n);
           });
-        if (!next.off_the_end)
+        if (!next.beyond_end)
           found = next;
       }
     return found;
@@ -314,8 +314,8 @@ namespace Contact
     if (found.facet == numbers::invalid_unsigned_int)
       {
         // Only to have a distance.
-        found             = closest_alone(x);
-        found.off_the_end = true;
+        found            = closest_alone(x);
+        found.beyond_end = true;
         return found;
       }
     found = choose_at_corner(x, found, accept);
@@ -389,9 +389,9 @@ namespace Contact
       return best;
     const Projection<2> beside = project(x, other);
     if (best.xi * beside.xi > 0 || std::abs(beside.xi) <= 1 ||
-        beside.off_the_end || !accept(beside))
+        beside.beyond_end || !accept(beside))
       return best;
-    return best.off_the_end ||
+    return best.beyond_end ||
                distance_square(x, beside) > distance_square(x, best)
              ? beside
              : best;
@@ -563,7 +563,7 @@ namespace Contact
     for (unsigned int k = 0; k < dim - 1; ++k)
       if ((coordinate(whole, k) < box[k].first && ends[2 * k]) ||
           (coordinate(whole, k) > box[k].second && ends[2 * k + 1]))
-        found.off_the_end = true;
+        found.beyond_end = true;
     return found;
   }
 

@@ -82,7 +82,7 @@ namespace Contact
     FacetPoint<dim> xi{};
 
     /// The point lies beyond the end of a face.
-    bool off_the_end = false;
+    bool beyond_end = false;
 
     /// The projection of the normal lies outside the facet; xi is on its
     /// boundary.

@@ -35,7 +35,7 @@ namespace Contact
       /// The first unknowns of the nodes that a hanging one follows, and by how
       /// much.
       PerFacetNode<dim, std::vector<std::pair<types::global_dof_index, double>>>
-        leaders;
+        parents;
 
       template<class Archive>
       void serialize(Archive &archive, const unsigned int)
@@ -49,7 +49,7 @@ namespace Contact
         archive &body &part &middle &level;
         for (auto &dof : name)
           archive &dof;
-        for (auto &of_node : leaders)
+        for (auto &of_node : parents)
           archive &of_node;
       }
     };
@@ -134,7 +134,7 @@ namespace Contact
           if (entries == nullptr)
             continue;
           if (entries->size() > 1)
-            facet.leaders[a] = *entries;
+            facet.parents[a] = *entries;
           else
             for (auto &dof : dofs)
               dof = hanging.get_constraint_entries(dof)->front().first;
@@ -266,13 +266,13 @@ namespace Contact
           facets.push_back(facet);
         }
 
-    leaders.resize(nodes.size());
+    parents.resize(nodes.size());
     for (const auto &of_rank : all_facets)
       for (const LooseFacet<dim> &loose : of_rank)
         for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
-          if (auto &of_node = leaders[node_of_dof.at(loose.nodes[a].dofs[0])];
+          if (auto &of_node = parents[node_of_dof.at(loose.nodes[a].dofs[0])];
               of_node.empty())
-            for (const auto &[dof, part] : loose.leaders[a])
+            for (const auto &[dof, part] : loose.parents[a])
               of_node.emplace_back(node_of_dof.at(dof), part);
   }
 
@@ -282,23 +282,23 @@ namespace Contact
   std::vector<typename Surface<dim>::Part>
   Surface<dim>::followed_by(const unsigned int node) const
   {
-    return leaders[node].empty() ? std::vector<Part>{{node, 1.}}
-                                 : leaders[node];
+    return parents[node].empty() ? std::vector<Part>{{node, 1.}}
+                                 : parents[node];
   }
 
 
 
   template<int dim>
   std::vector<typename Surface<dim>::Part>
-  Surface<dim>::heirs(const unsigned int node) const
+  Surface<dim>::receivers(const unsigned int node) const
   {
-    if (leaders[node].empty())
+    if (parents[node].empty())
       return {{node, 1.}};
-    std::vector<Part> heirs;
-    for (const auto &[leader, part] : leaders[node])
+    std::vector<Part> receivers;
+    for (const auto &[leader, part] : parents[node])
       if (part > 0)
-        heirs.emplace_back(leader, 0.5);
-    return heirs;
+        receivers.emplace_back(leader, 0.5);
+    return receivers;
   }
 
 
@@ -402,17 +402,17 @@ namespace Contact
     std::vector<std::vector<unsigned int>> copies(n_nodes);
     for (unsigned int i = 0; i < nodes.size(); ++i)
       copies[original[i]].push_back(i);
-    leaders.resize(nodes.size());
+    parents.resize(nodes.size());
     for (unsigned int i = nodes.size(); i-- > 0;)
       {
-        leaders[i] = leaders[original[i]];
+        parents[i] = parents[original[i]];
         std::set<unsigned int> near(side_of[i].begin(), side_of[i].end());
         for (const unsigned int e : side_of[i])
           for (const unsigned int a : {0, 1, 2, 3})
             if (a < GeometryInfo<dim - 1>::vertices_per_cell)
               for (const unsigned int other : same_side(e, a))
                 near.insert(other);
-        for (Part &leader : leaders[i])
+        for (Part &leader : parents[i])
           for (const unsigned int copy : copies[leader.first])
             if (std::any_of(side_of[copy].begin(),
                             side_of[copy].end(),

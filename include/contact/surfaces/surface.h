@@ -372,15 +372,15 @@ namespace Contact
 
     /// The nodes that a hanging node follows, those of the side of a larger
     /// facet that it is on; none of a node that does not hang. In space.
-    std::vector<std::vector<Part>> leaders;
+    std::vector<std::vector<Part>> parents;
 
     /// The same, or the node itself.
     std::vector<Part> followed_by(const unsigned int node) const;
 
     /// The nodes that a node hands over to what is its own, as a multiplier:
     /// itself, or of a hanging node the nearest two that it follows, by halves.
-    /// Unlike the parts of the leaders at degree 2 these are positive.
-    std::vector<Part> heirs(const unsigned int node) const;
+    /// Unlike the parts of the parents at degree 2 these are positive.
+    std::vector<Part> receivers(const unsigned int node) const;
 
     /// The largest angle by which one edge turns against the one before it
     /// [degrees], of those that are no corners. In the plane.

@@ -37,8 +37,8 @@ namespace Contact
   {
     std::map<Side, std::vector<unsigned int>> middles; // by the ends
     for (unsigned int node = 0; node < nodes.size(); ++node)
-      if (leaders[node].size() == 2)
-        middles[std::minmax(leaders[node][0].first, leaders[node][1].first)]
+      if (parents[node].size() == 2)
+        middles[std::minmax(parents[node][0].first, parents[node][1].first)]
           .push_back(node);
 
     std::map<Side, Side> side_of; // by the ends of halves

@@ -34,7 +34,7 @@ namespace Contact
 
 
   template<int dim>
-  bool AssembledSystem<dim>::serves_points() const
+  bool AssembledSystem<dim>::has_room_for_points() const
   {
     return couplings.serve();
   }
@@ -108,7 +108,7 @@ namespace Contact
           rows.add_index(leader);
         for (const RigidBoundary<dim> &rigid :
              discretization.rigid_boundaries())
-          for (const auto leader : rigid.leaders())
+          for (const auto leader : rigid.parents())
             rows.add_index(leader);
         rows.compress();
       }
@@ -175,8 +175,9 @@ namespace Contact
   {
     current              = nullptr;
     const bool symmetric = elimination.is_symmetric();
-    const bool first   = symmetric || DefiniteSolver::serves_both(solver_kind);
-    Solver    &of_kind = solvers[first ? 0 : 1];
+    const bool first =
+      symmetric || DefiniteSolver::has_room_for_both(solver_kind);
+    Solver &of_kind = solvers[first ? 0 : 1];
     if (!of_kind.solver)
       {
         const auto modes = solver_kind == Parameters::SolverKind::amg
@@ -229,7 +230,7 @@ namespace Contact
         const Dofs &dofs = elasticity.dofs_of_cell(interface_cells[k]);
         sum.add(interface_tangents[k], dofs, dofs);
       }
-    for (const auto &term : elimination.turning_terms())
+    for (const auto &term : elimination.slip_direction_terms())
       if (term.is_own())
         sum.add(term.stiffness, term.dofs, term.dofs);
     const auto of_pairing =

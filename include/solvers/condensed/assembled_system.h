@@ -71,7 +71,7 @@ namespace Contact
     using Base::tangents_are_known;
     using Base::timer;
 
-    bool         serves_points() const override;
+    bool         has_room_for_points() const override;
     void         make_room() override;
     bool         make_room_for_lines() override;
     bool         needs_all_tangents() const override;

@@ -61,7 +61,7 @@ namespace Contact
   template<int dim>
   void CondensedSystem<dim>::update_pattern()
   {
-    if (!on_any_rank(!is_coupled || !serves_points()))
+    if (!on_any_rank(!is_coupled || !has_room_for_points()))
       return;
     TimerOutput::Scope scope(timer, "setup");
     make_room();
@@ -231,7 +231,7 @@ namespace Contact
         of_cell *= -1;
         base.distribute_local_to_global(of_cell, dofs, forces);
       }
-    forces.sum_up();
+    forces.compress_add();
     return forces;
   }
 
@@ -270,7 +270,7 @@ namespace Contact
                            none,
                            moved_forces);
       }
-    for (const auto &term : elimination.turning_terms())
+    for (const auto &term : elimination.slip_direction_terms())
       if (term.is_own())
         add_moved_forces(term.stiffness,
                          term.dofs,
@@ -279,7 +279,7 @@ namespace Contact
                          moved_forces);
     for (const auto &term : elimination.pairing_terms())
       add_moved_forces(term, term.rows, term.columns, none, moved_forces);
-    moved_forces.sum_up();
+    moved_forces.compress_add();
     rhs += moved_forces;
     return is_new;
   }

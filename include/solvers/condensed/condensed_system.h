@@ -89,8 +89,8 @@ namespace Contact
                     TimerOutput               &timer);
 
     /// Whether there is room for what the points of now couple, and make it.
-    virtual bool serves_points() const = 0;
-    virtual void make_room()           = 0;
+    virtual bool has_room_for_points() const = 0;
+    virtual void make_room()                 = 0;
 
     /// Make room for the lines of now. Returns whether it was missing.
     virtual bool make_room_for_lines() = 0;

@@ -134,10 +134,10 @@ namespace Contact
         if (!symmetric)
           of_pairing =
             PairingStiffness<dim>::terms(*interface, solution, u_start);
-        turning = SlipTurning<dim>::terms(*interface,
-                                          solution,
-                                          u_start,
-                                          any_rank_may_add);
+        turning = SlipDirectionStiffness<dim>::terms(*interface,
+                                                     solution,
+                                                     u_start,
+                                                     any_rank_may_add);
         if (&moved != &solution)
           for (auto &term : turning)
             {
@@ -492,11 +492,13 @@ namespace Contact
   ContactElimination<dim>::recovery(const GhostedVector &u_start,
                                     const GhostedVector &solution) const
   {
-    return {
-      discretization,
-      *interface,
-      eliminated,
-      SlipTurning<dim>::turned_shears(turning, *interface, solution, u_start)};
+    return {discretization,
+            *interface,
+            eliminated,
+            SlipDirectionStiffness<dim>::turned_shears(turning,
+                                                       *interface,
+                                                       solution,
+                                                       u_start)};
   }
 
 

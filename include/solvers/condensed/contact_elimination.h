@@ -12,7 +12,7 @@
 #include "solvers/condensed/multiplier_recovery.h"
 #include "solvers/condensed/pairing_stiffness.h"
 #include "solvers/condensed/row_elimination.h"
-#include "solvers/condensed/slip_turning.h"
+#include "solvers/condensed/slip_direction_stiffness.h"
 
 namespace Contact
 {
@@ -35,12 +35,11 @@ namespace Contact
    *
    * A slipping point whose bound moves with the pressure, q = s bound(p),
    * exerts per unit of pressure a force along m = n + s bound'(p) t (t with the
-   * turn of SlipTurning), while its constraint is along n. The virtual
-   * displacements under which the pressures do no work fulfil
-   *   m . sum_a C_a v_a = 0
-   * and are eliminated by the same pivots into lines of their own. The matrix
-   * is unsymmetric, as that of the saddle point is, and the Newton step the
-   * same.
+   * turn of SlipDirectionStiffness), while its constraint is along n. The
+   * virtual displacements under which the pressures do no work fulfil m . sum_a
+   * C_a v_a = 0 and are eliminated by the same pivots into lines of their own.
+   * The matrix is unsymmetric, as that of the saddle point is, and the Newton
+   * step the same.
    */
   template<int dim>
   class ContactElimination
@@ -61,7 +60,7 @@ namespace Contact
      * Make the constraints of the present statuses, together with those that
      * Discretization puts on the unknowns @p surroundings; the gaps and slips
      * to be closed are those of @p moved, where free motions may be others. For
-     * @p any_rank_may_add see SlipTurning::terms().
+     * @p any_rank_may_add see SlipDirectionStiffness::terms().
      * Throws NotConverged where a point penetrates and supports leave none of
      * its unknowns free.
      */
@@ -90,7 +89,8 @@ namespace Contact
 
     /// What the turning of the shears adds to the system, to be assembled
     /// like cells.
-    const std::vector<typename SlipTurning<dim>::Term> &turning_terms() const
+    const std::vector<typename SlipDirectionStiffness<dim>::Term> &
+    slip_direction_terms() const
     {
       return turning;
     }
@@ -181,8 +181,8 @@ namespace Contact
     RowElimination            rows, test_rows;
     bool                      symmetric = true;
 
-    std::vector<typename SlipTurning<dim>::Term> turning;
-    std::vector<PairingStiffness<dim>>           of_pairing;
+    std::vector<typename SlipDirectionStiffness<dim>::Term> turning;
+    std::vector<PairingStiffness<dim>>                      of_pairing;
 
     /// The point of the worst of the contradicting equations, and by how much.
     const ContactPoint<dim> *contradicting    = nullptr;

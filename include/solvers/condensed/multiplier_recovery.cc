@@ -115,9 +115,11 @@ namespace Contact
         for (const Tensor<1, dim - 1> &slip : free_slips(point, discretization))
           {
             const Tensor<1, dim - 1> direction =
-              point.without(point.held_slips,
-                            point.without(point.void_slips, slip));
-            add_orthonormal(direction - point.springs * direction, free);
+              point.without(point.tangents_held_by_points,
+                            point.without(point.tangents_held_by_supports,
+                                          slip));
+            add_orthonormal(direction - point.stick_compliance * direction,
+                            free);
           }
         return free;
       }
@@ -201,13 +203,13 @@ namespace Contact
         std::map<NodeDoFs<dim>, std::vector<unsigned int>> at_edges;
         for (unsigned int k = 0; k < points.size(); ++k)
           if (points[k].status.kind == Status::stick &&
-              points[k].held_slips.size() == 1)
+              points[k].tangents_held_by_points.size() == 1)
             at_edges[points[k].dofs(0)].push_back(k);
         for (const auto &[node, of_node] : at_edges)
           {
             const ContactPoint<dim> &first = points[of_node[0]];
             const Tensor<1, dim>     edge =
-              cross_product_3d(first.normal, first.held_slips[0]);
+              cross_product_3d(first.normal, first.tangents_held_by_points[0]);
             const auto bound = [&](const unsigned int k) {
               return interface.law(points[k]).bound(tractions[k].p);
             };

@@ -6,7 +6,7 @@
 #ifndef contact_multiplier_recovery_h
 #define contact_multiplier_recovery_h
 
-#include "solvers/condensed/slip_turning.h"
+#include "solvers/condensed/slip_direction_stiffness.h"
 
 namespace Contact
 {
@@ -29,7 +29,7 @@ namespace Contact
   class MultiplierRecovery
   {
   public:
-    using Turned = typename SlipTurning<dim>::Turned;
+    using Turned = typename SlipDirectionStiffness<dim>::Turned;
 
     /// @p eliminated: what the points eliminate; @p turned: by point, what is
     /// known of the shear besides its bound.

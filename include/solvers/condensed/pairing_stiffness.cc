@@ -20,15 +20,15 @@ namespace Contact
     std::map<types::global_dof_index, Parts>
     leaders_of_hanging_nodes(const ContactInterface<dim> &interface)
     {
-      std::map<types::global_dof_index, Parts> leaders;
+      std::map<types::global_dof_index, Parts> parents;
       const auto add = [&](const Surface<dim> &surface) {
         for (unsigned int n = 0; n < surface.nodes.size(); ++n)
-          if (!surface.leaders[n].empty())
+          if (!surface.parents[n].empty())
             for (unsigned int i = 0; i < dim; ++i)
               {
-                Parts &parts = leaders[surface.nodes[n].dofs[i]];
+                Parts &parts = parents[surface.nodes[n].dofs[i]];
                 parts.clear();
-                for (const auto &[leader, part] : surface.leaders[n])
+                for (const auto &[leader, part] : surface.parents[n])
                   parts.emplace_back(surface.nodes[leader].dofs[i], part);
               }
       };
@@ -38,14 +38,14 @@ namespace Contact
           if (contact_pair->master)
             add(*contact_pair->master);
         }
-      return leaders;
+      return parents;
     }
 
 
 
     /// The columns of nodes that hang become parts of those that they follow.
     void
-    hand_over_columns(const std::map<types::global_dof_index, Parts> &leaders,
+    hand_over_columns(const std::map<types::global_dof_index, Parts> &parents,
                       std::vector<types::global_dof_index>           &columns,
                       FullMatrix<double>                             &matrix)
     {
@@ -57,7 +57,7 @@ namespace Contact
       for (const auto dof : columns)
         {
           parts.emplace_back();
-          if (const auto found = leaders.find(dof); found != leaders.end())
+          if (const auto found = parents.find(dof); found != parents.end())
             for (const auto &[leader, part] : found->second)
               parts.back().emplace_back(number_of(leader), part);
           else
@@ -133,7 +133,7 @@ namespace Contact
                                const GhostedVector         &u_start)
   {
     std::vector<PairingStiffness<dim>> all;
-    const auto leaders = leaders_of_hanging_nodes(interface);
+    const auto parents = leaders_of_hanging_nodes(interface);
     for (const ContactPoint<dim> &point : interface.points())
       {
         const PairingChange<dim> &change = point.change;
@@ -162,8 +162,8 @@ namespace Contact
             for (unsigned int i = 0; i < dim; ++i)
               term.changes(n + i, j) = -point.weight * turned[i];
           }
-        if (!leaders.empty())
-          hand_over_columns(leaders, term.columns, term.changes);
+        if (!parents.empty())
+          hand_over_columns(parents, term.columns, term.changes);
       }
     return all;
   }

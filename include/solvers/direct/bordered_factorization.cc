@@ -80,8 +80,8 @@ namespace Contact
   // LAPACK takes 5/3 n^3 operations for n unknowns at the border, UMFPACK a
   // hundred times the power 3/2 of all, at a quarter of the speed: then both
   // are equal.
-  bool BorderedFactorization::pays(const std::size_t n_unknowns,
-                                   const std::size_t n_border)
+  bool BorderedFactorization::is_worthwhile(const std::size_t n_unknowns,
+                                            const std::size_t n_border)
   {
     const std::size_t large = 30000, dense = 36;
     return n_unknowns > large && n_border * n_border < dense * n_unknowns;

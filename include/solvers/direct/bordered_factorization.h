@@ -49,7 +49,8 @@ namespace Contact
 
     /// Whether it is faster than UMFPACK for so many unknowns, and so many at
     /// the border.
-    static bool pays(const std::size_t n_unknowns, const std::size_t n_border);
+    static bool is_worthwhile(const std::size_t n_unknowns,
+                              const std::size_t n_border);
 
     /// Announce the pattern by compressed rows with sorted columns, and which
     /// unknowns are the border. What does not change in it is not analysed

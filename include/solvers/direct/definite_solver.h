@@ -70,7 +70,7 @@ namespace Contact
     using Dofs = std::vector<types::global_dof_index>;
 
     /// Whether one solver takes symmetric matrices and others in turn.
-    static bool serves_both(const Parameters::SolverKind kind)
+    static bool has_room_for_both(const Parameters::SolverKind kind)
     {
       return kind == Parameters::SolverKind::amg;
     }

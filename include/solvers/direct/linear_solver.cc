@@ -48,7 +48,7 @@ namespace Contact
                                 const std::vector<bool> &border)
   {
     initialize(pattern);
-    if (!BorderedFactorization::pays(
+    if (!BorderedFactorization::is_worthwhile(
           pattern.n_rows(),
           std::count(border.begin(), border.end(), true)))
       {

@@ -123,7 +123,8 @@ namespace Contact
 
 
   template<int dim>
-  bool MatrixFreeSystem<dim>::is_best(const Discretization<dim> &discretization,
+  bool
+  MatrixFreeSystem<dim>::is_preferred(const Discretization<dim> &discretization,
                                       const Elasticity<dim>     &elasticity)
   {
     return is_worth_it(discretization, elasticity) &&
@@ -146,7 +147,7 @@ namespace Contact
 
   // Without a matrix there is room for whatever points see.
   template<int dim>
-  bool MatrixFreeSystem<dim>::serves_points() const
+  bool MatrixFreeSystem<dim>::has_room_for_points() const
   {
     return true;
   }
@@ -276,7 +277,7 @@ namespace Contact
   template<int dim>
   void MatrixFreeSystem<dim>::add_interface(const bool)
   {
-    has_terms = this->on_any_rank(!elimination.turning_terms().empty() ||
+    has_terms = this->on_any_rank(!elimination.slip_direction_terms().empty() ||
                                   !elimination.pairing_terms().empty());
     if (has_terms)
       {
@@ -320,7 +321,7 @@ namespace Contact
   {
     std::vector<SurfaceSpring> all;
     std::map<Dof, double>      sum;
-    for (const auto &term : elimination.turning_terms())
+    for (const auto &term : elimination.slip_direction_terms())
       if (term.is_own())
         for (const auto &[stiffness, way] : term.springs)
           {
@@ -404,7 +405,7 @@ namespace Contact
         else
           dofs.push_back(dof);
     };
-    for (const auto &term : elimination.turning_terms())
+    for (const auto &term : elimination.slip_direction_terms())
       add(term.dofs);
     for (const auto &term : elimination.pairing_terms())
       {
@@ -446,7 +447,7 @@ namespace Contact
       };
     surface.read(work);
     surface_forces.clear();
-    for (const auto &term : elimination.turning_terms())
+    for (const auto &term : elimination.slip_direction_terms())
       if (term.is_own())
         multiply(term.stiffness, term.dofs, term.dofs);
     for (const auto &term : elimination.pairing_terms())

@@ -50,8 +50,8 @@ namespace Contact
      * Of several ranks each solves such a coarsest mesh by CHOLMOD, faster than
      * all together with AMG.
      */
-    static bool is_best(const Discretization<dim> &discretization,
-                        const Elasticity<dim>     &elasticity);
+    static bool is_preferred(const Discretization<dim> &discretization,
+                             const Elasticity<dim>     &elasticity);
 
     /// Whether it were, on a refined mesh, if the elements had their centre
     /// nodes.
@@ -84,7 +84,7 @@ namespace Contact
     static bool is_worth_it(const Discretization<dim> &discretization,
                             const Elasticity<dim>     &elasticity);
 
-    bool         serves_points() const override;
+    bool         has_room_for_points() const override;
     void         make_room() override;
     bool         make_room_for_lines() override;
     bool         needs_all_tangents() const override;

@@ -56,7 +56,7 @@ namespace Contact
     virtual void update_pattern(const bool edges_have_changed) = 0;
 
     /// The points are no longer those that the pattern was made for.
-    virtual void forget_pattern() = 0;
+    virtual void clear_pattern() = 0;
 
     /// Set the multipliers of the state, behind a @p part of the last step (0:
     /// none), from @p rhs, minus the residual of the bodies alone, or in space

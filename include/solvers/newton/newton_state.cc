@@ -140,15 +140,15 @@ namespace Contact
     add_contact();
     convergence.evaluate(rhs, state);
     if (of_bodies && convergence.has_converged())
-      try_to_rest(*of_bodies);
-    if (model.interface && has_converged() && closes_in_full_pairing())
+      accept_equivalent_statuses(*of_bodies);
+    if (model.interface && has_converged() && close_in_full_pairing())
       evaluate_with(single_changes);
   }
 
 
 
   template<int dim>
-  bool NewtonState<dim>::closes_in_full_pairing()
+  bool NewtonState<dim>::close_in_full_pairing()
   {
     if (!pairing.complete())
       return false;
@@ -171,7 +171,8 @@ namespace Contact
   // are at their bound but for round-off: sticking or slipping, the state
   // stays. Steps would go on changing their statuses.
   template<int dim>
-  void NewtonState<dim>::try_to_rest(const GhostedVector &of_bodies)
+  void
+  NewtonState<dim>::accept_equivalent_statuses(const GhostedVector &of_bodies)
   {
     ContactInterface<dim> &interface = *model.interface;
     const auto             statuses  = interface.statuses();
@@ -204,7 +205,7 @@ namespace Contact
     VolumeRatio<dim> smallest;
     if (!system->subtract_forces(state.solution, rhs))
       smallest = model.elasticity->subtract_forces(state.solution, rhs);
-    rhs.sum_up();
+    rhs.compress_add();
     return smallest;
   }
 
@@ -216,14 +217,14 @@ namespace Contact
   {
     if (!model.interface)
       return;
-    rhs.keep_owned();
+    rhs.zero_out_ghosts();
     ContactKernel<dim>(*model.interface)
       .assemble(state.solution,
                 state.start,
                 pairing.linearization(),
                 rhs,
                 nullptr);
-    rhs.sum_up();
+    rhs.compress_add();
   }
 
 
@@ -265,7 +266,7 @@ namespace Contact
       return false;
     const bool has_statuses =
       n_status_changes == 0 ||
-      (n_steps > 0 && !one_at_a_time && points_follow_the_law());
+      (n_steps > 0 && !one_at_a_time && satisfies_contact_law());
     return has_statuses && !model.discretization->update_is_prescribed() &&
            convergence.has_converged();
   }
@@ -274,7 +275,7 @@ namespace Contact
 
   // One whose slip turns round sticks first, though its shear be too large.
   template<int dim>
-  bool NewtonState<dim>::points_follow_the_law() const
+  bool NewtonState<dim>::satisfies_contact_law() const
   {
     const ContactInterface<dim> &interface = *model.interface;
     return std::all_of(interface.points().begin(),
@@ -297,7 +298,7 @@ namespace Contact
   {
     if (n_steps == 0)
       return {};
-    const auto is_a_state = [&]() {
+    const auto is_admissible = [&]() {
       return std::isfinite(convergence.residual()) &&
              !smallest_volume.is_inside_out();
     };
@@ -305,8 +306,8 @@ namespace Contact
     std::vector<double> residuals;
     const unsigned int  max_halvings = 6;
     while (residuals.size() < max_halvings &&
-           (!is_a_state() || (n_status_changes == 0 &&
-                              !guard.accepts(convergence.residual_norm()))))
+           (!is_admissible() || (n_status_changes == 0 &&
+                                 !guard.accepts(convergence.residual_norm()))))
       {
         state.solution.sadd(0.5, 0.5, last);
         part *= 0.5;
@@ -379,7 +380,7 @@ namespace Contact
 
 
   template<int dim>
-  bool NewtonState<dim>::begins_single_changes()
+  bool NewtonState<dim>::start_single_changes()
   {
     const bool before = one_at_a_time;
     one_at_a_time     = guard.one_at_a_time(n_status_changes);
@@ -472,7 +473,7 @@ namespace Contact
     step.continues = true;
     for (unsigned int turn = 0; searches; ++turn)
       {
-        if (!adapt_statuses(little * step.residual))
+        if (!change_statuses(little * step.residual))
           break;
         n += system->make_step(step, rhs, state);
         const bool is_solution = state.solution.linfty_norm() <= largest;
@@ -501,7 +502,7 @@ namespace Contact
   // The forces of the bodies have become those of contact under the old
   // statuses, which stay where nothing is to be solved again.
   template<int dim>
-  bool NewtonState<dim>::adapt_statuses(const double tolerance)
+  bool NewtonState<dim>::change_statuses(const double tolerance)
   {
     system->recover_multipliers(rhs, 1, state);
     const auto update_statuses = [&](const bool keep) {

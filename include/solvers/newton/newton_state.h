@@ -69,7 +69,7 @@ namespace Contact
 
     /// Choose whether one point at a time is to change its status. Returns
     /// whether it is from now on.
-    bool begins_single_changes();
+    bool start_single_changes();
 
     /// Whether the tangent of the last step, in bodies where stresses turn, is
     /// that of the state: it was no longer than a hundredth of the way of the
@@ -111,13 +111,13 @@ namespace Contact
 
     /// Pair the open points that have kept an earlier pairing. Returns whether
     /// one of them is to close.
-    bool closes_in_full_pairing();
+    bool close_in_full_pairing();
 
     /// Before the first step and in balance: take the statuses that follow if
     /// the state is in balance under them, too. @p of_bodies is the right side
     /// without contact.
-    void   try_to_rest(const GhostedVector &of_bodies);
-    bool   points_follow_the_law() const;
+    void   accept_equivalent_statuses(const GhostedVector &of_bodies);
+    bool   satisfies_contact_law() const;
     void   check() const;
     bool   friction_acts() const;
     void   remember_status();
@@ -135,7 +135,7 @@ namespace Contact
     /// Give the points the statuses that they have in the solution of the
     /// linear problem, unless that is one to @p tolerance under these, too
     /// [-]. Returns whether one is another.
-    bool adapt_statuses(const double tolerance);
+    bool change_statuses(const double tolerance);
 
     const ContactModel<dim>                  &model;
     const std::unique_ptr<LinearSystem<dim>> &system;

@@ -60,7 +60,7 @@ namespace Contact
       parameters.geometry(model.n_displacements()) == GeometryLoop::newton &&
       !frozen;
     if (dim == 3 && frozen && model.interface)
-      model.interface->forget_changes();
+      model.interface->clear_changes();
   }
 
 
@@ -79,7 +79,7 @@ namespace Contact
 
 
   template<int dim>
-  bool Pairing<dim>::enters_tangent()
+  bool Pairing<dim>::use_consistent_tangent()
   {
     if (is_in_tangent || has_derivatives())
       return false;
@@ -93,7 +93,7 @@ namespace Contact
   template<int dim>
   void Pairing<dim>::pair(const GhostedVector &configuration)
   {
-    pair(configuration, {has_derivatives(), edges_stay});
+    pair(configuration, {has_derivatives(), keeps_facets});
   }
 
 
@@ -102,7 +102,7 @@ namespace Contact
   void Pairing<dim>::pair_near_contact(const GhostedVector &configuration,
                                        const bool           from_coarser_mesh)
   {
-    PairingMode mode{has_derivatives(), edges_stay};
+    PairingMode mode{has_derivatives(), keeps_facets};
     mode.keeps_open_points = dim == 3 && follows_each_step();
     mode.leaves_far_points = mode.keeps_open_points && from_coarser_mesh;
     pair(configuration, mode);
@@ -115,7 +115,7 @@ namespace Contact
   {
     if (is_complete)
       return false;
-    PairingMode mode{has_derivatives(), edges_stay};
+    PairingMode mode{has_derivatives(), keeps_facets};
     mode.is_rest = true;
     pair(GhostedVector(paired_at), mode);
     return true;
@@ -166,7 +166,7 @@ namespace Contact
   template<int dim>
   void Pairing<dim>::begin_newton()
   {
-    guard      = PairingGuard(parameters.solution.geometry_tolerance);
+    guard      = PairingCycleControl(parameters.solution.geometry_tolerance);
     relaxation = Relaxation();
     jump.reset();
     freeze(false);
@@ -177,8 +177,8 @@ namespace Contact
   template<int dim>
   void Pairing<dim>::begin_increment(const double part)
   {
-    this->part = part;
-    edges_stay = false;
+    this->part   = part;
+    keeps_facets = false;
   }
 
 
@@ -257,11 +257,11 @@ namespace Contact
     if (!follows_each_step())
       return true;
     const bool rests = guard.accepts(misplacement(state), way(state));
-    if (rests && !edges_stay)
+    if (rests && !keeps_facets)
       return true;
-    if (!(edges_stay ? rests : guard.goes_in_circles()))
+    if (!(keeps_facets ? rests : guard.cycles()))
       return false;
-    const PairingMisfit found = misfit_of(state);
+    const ProjectionMismatch found = mismatch_of(state);
     if (!guard.accepts(found, way(state) / part))
       return false;
     if (!found.is_below(Utilities::fixed_power<2>(
@@ -274,16 +274,19 @@ namespace Contact
 
 
   template<int dim>
-  PairingMisfit Pairing<dim>::misfit_of(const IncrementState<dim> &state) const
+  ProjectionMismatch
+  Pairing<dim>::mismatch_of(const IncrementState<dim> &state) const
   {
-    return misfit(*model.interface, state.solution, state.start);
+    return mismatch(*model.interface, state.solution, state.start);
   }
 
 
 
-  // Where the pairing is at rest, no foot has moved further than the surfaces.
+  // Where the pairing is at rest, no projection point has moved further than
+  // the surfaces.
   template<int dim>
-  double Pairing<dim>::shift_of_feet(const IncrementState<dim> &state) const
+  double
+  Pairing<dim>::shift_of_projections(const IncrementState<dim> &state) const
   {
     if (!follows())
       return 0;
@@ -295,12 +298,12 @@ namespace Contact
   template<int dim>
   bool Pairing<dim>::renew(const GhostedVector &solution)
   {
-    const bool edges_were_free = !edges_stay;
-    if (edges_were_free && guard.goes_in_circles())
+    const bool edges_were_free = !keeps_facets;
+    if (edges_were_free && guard.cycles())
       {
         // Along one edge projections move smoothly again.
         begin_newton();
-        edges_stay = !enters_tangent();
+        keeps_facets = !use_consistent_tangent();
       }
     renew(solution, relaxation);
     guard.count_renewal();
@@ -314,14 +317,14 @@ namespace Contact
   {
     std::string what = "the surfaces are " + brief(misplacement(state)) +
                        " mm from where they were paired, of ";
-    if (edges_stay)
+    if (keeps_facets)
       {
-        const PairingMisfit found = misfit_of(state);
+        const ProjectionMismatch found = mismatch_of(state);
         what =
           "the closest points do not come to rest; if they stay on their "
           "edges of the master, the gaps of the closest points differ by " +
           brief(found.gap) + " mm, and forces are moved by " +
-          brief(100 * found.feet) + " % of the size of the slave" +
+          brief(100 * found.offset) + " % of the size of the slave" +
           (found.unheld > 0 ? ", " + brief(100 * found.unheld) +
                                 " % of them have no closest point"
                             : "") +

@@ -15,7 +15,7 @@
 #include "parameters/parameters.h"
 #include "solvers/newton/aitken.h"
 #include "solvers/newton/linear_system.h"
-#include "solvers/newton/pairing_guard.h"
+#include "solvers/newton/pairing_cycle_control.h"
 #include "solvers/newton/relaxation.h"
 
 namespace Contact
@@ -71,9 +71,9 @@ namespace Contact
     double misplacement(const IncrementState<dim> &state) const;
     double way(const IncrementState<dim> &state) const;
 
-    /// How far the feet of the forces may be from the closest points in a state
-    /// that was accepted [mm].
-    double shift_of_feet(const IncrementState<dim> &state) const;
+    /// How far the projection points of the forces may be from the closest
+    /// points in a state that was accepted [mm].
+    double shift_of_projections(const IncrementState<dim> &state) const;
 
     /// Pair again in a fixed-point iteration that has led to @p solution: where
     /// it jumps to and fro, on the way.
@@ -90,7 +90,7 @@ namespace Contact
     void follow(const GhostedVector &solution, const bool after_a_step);
 
     /// A Newton step has led from @p last to the state; progress is the
-    /// smallest residual so far. See PairingGuard.
+    /// smallest residual so far. See PairingCycleControl.
     void advance(const IncrementState<dim> &state,
                  const GhostedVector       &last,
                  const bool                 progress);
@@ -117,12 +117,12 @@ namespace Contact
      * does not converge, it is unsymmetric from here on, and knows it. Returns
      * whether it has become so.
      */
-    bool enters_tangent();
+    bool use_consistent_tangent();
 
     /// Whether points have turned out to face two places in turn.
     bool jumps() const
     {
-      return edges_stay;
+      return keeps_facets;
     }
 
     /// The reason why a pairing is not accepted.
@@ -137,7 +137,7 @@ namespace Contact
     bool has_derivatives() const;
     void pair(const GhostedVector &configuration, const PairingMode &mode);
 
-    PairingMisfit misfit_of(const IncrementState<dim> &state) const;
+    ProjectionMismatch mismatch_of(const IncrementState<dim> &state) const;
 
     const ContactModel<dim> &model;
     const Parameters::All   &parameters;
@@ -150,17 +150,17 @@ namespace Contact
     AitkenExtrapolation  extrapolation;
 
     // Of the present Newton's method.
-    PairingGuard guard;
-    Relaxation   relaxation;
-    bool         is_frozen     = false;
-    bool         is_in_tangent = false; // though there is no friction
+    PairingCycleControl guard;
+    Relaxation          relaxation;
+    bool                is_frozen     = false;
+    bool                is_in_tangent = false; // though there is no friction
 
     // Where a pairing is accepted whose closest points jump.
-    std::optional<PairingMisfit> jump;
+    std::optional<ProjectionMismatch> jump;
 
     // Of the present increment.
-    double part       = 1;
-    bool   edges_stay = false;
+    double part         = 1;
+    bool   keeps_facets = false;
   };
 } // namespace Contact
 

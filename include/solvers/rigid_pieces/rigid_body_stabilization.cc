@@ -41,7 +41,7 @@ namespace Contact
     const ContactInterface<dim> *contact)
   {
     auto free = rigid_body_modes<dim>(*model.discretization, contact);
-    for (const TurningPiece &piece : turning)
+    for (const SpinningPiece &piece : turning)
       free.push_back({piece.piece, "rotation", 1});
     bool news = false;
     for (const RigidBodyMode &motion : free)
@@ -144,7 +144,7 @@ namespace Contact
     for (const RigidBodyMode &motion : held)
       stiffest[motion.piece] = stiffness[motion.piece].translation =
         1e-6 * softest * springs.mean_depth(motion.piece);
-    for (const TurningPiece &piece : turning)
+    for (const SpinningPiece &piece : turning)
       {
         stiffest[piece.piece] = softest * springs.mean_depth(piece.piece);
         stiffness[piece.piece].rotation =

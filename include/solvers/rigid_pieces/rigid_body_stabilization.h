@@ -85,7 +85,7 @@ namespace Contact
 
     std::vector<RigidBodyMode> held;
     std::size_t                n_at_start = 0;
-    std::vector<TurningPiece>  turning; // in itself, on this mesh
+    std::vector<SpinningPiece> turning; // in itself, on this mesh
 
     // By piece, and the larger one of k and kappa/R^2.
     std::map<unsigned int, SpringStiffness> stiffness;

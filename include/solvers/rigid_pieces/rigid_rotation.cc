@@ -275,12 +275,12 @@ namespace Contact
 
 
   template<>
-  std::vector<TurningPiece>
+  std::vector<SpinningPiece>
   turning_pieces(const Discretization<2>   &discretization,
                  const Elasticity<2>       &elasticity,
                  const ContactInterface<2> &interface)
   {
-    std::vector<TurningPiece> turning;
+    std::vector<SpinningPiece> turning;
     const auto corners = frictionless_corners(discretization, interface);
     for (const RigidBodyMode &motion :
          rigid_body_modes<2>(discretization, nullptr))
@@ -292,11 +292,11 @@ namespace Contact
         const auto centre = common_centre(of_piece->second);
         if (!centre)
           continue;
-        TurningPiece piece{motion.piece,
-                           rotation_about(discretization,
-                                          motion.piece,
-                                          *centre),
-                           of_piece->second.front().distance(*centre)};
+        SpinningPiece piece{motion.piece,
+                            rotation_about(discretization,
+                                           motion.piece,
+                                           *centre),
+                            of_piece->second.front().distance(*centre)};
         if (does_no_work(elasticity.dead_loads.at(1), piece.rotation))
           turning.push_back(piece);
       }
@@ -306,14 +306,14 @@ namespace Contact
 
 
   template<>
-  void remove_rotations(const Discretization<2>         &discretization,
-                        const std::vector<TurningPiece> &pieces,
-                        GhostedVector                   &u)
+  void remove_rotations(const Discretization<2>          &discretization,
+                        const std::vector<SpinningPiece> &pieces,
+                        GhostedVector                    &u)
   {
     if (pieces.empty())
       return;
     const auto angles = rigid_rotations(discretization, u);
-    for (const TurningPiece &piece : pieces)
+    for (const SpinningPiece &piece : pieces)
       for (unsigned int k = 0; k < piece.rotation.n_held(); ++k)
         u.begin()[k] -= angles[piece.piece] * piece.rotation.begin()[k];
   }
@@ -384,9 +384,9 @@ namespace Contact
 
 
   template<>
-  std::vector<TurningPiece> turning_pieces(const Discretization<3> &,
-                                           const Elasticity<3> &,
-                                           const ContactInterface<3> &)
+  std::vector<SpinningPiece> turning_pieces(const Discretization<3> &,
+                                            const Elasticity<3> &,
+                                            const ContactInterface<3> &)
   {
     return {};
   }
@@ -395,7 +395,7 @@ namespace Contact
 
   template<>
   void remove_rotations(const Discretization<3> &,
-                        const std::vector<TurningPiece> &,
+                        const std::vector<SpinningPiece> &,
                         GhostedVector &)
   {
   }

@@ -50,7 +50,7 @@ namespace Contact
    * small strain, where turning lengthens, contact drives the piece round until
    * it has parted.
    */
-  struct TurningPiece
+  struct SpinningPiece
   {
     unsigned int  piece;
     GhostedVector rotation; // e_z x (X - C) at its nodes, zero elsewhere [mm]
@@ -59,33 +59,33 @@ namespace Contact
 
   /// All such pieces. Collective.
   template<int dim>
-  std::vector<TurningPiece>
+  std::vector<SpinningPiece>
   turning_pieces(const Discretization<dim>   &discretization,
                  const Elasticity<dim>       &elasticity,
                  const ContactInterface<dim> &interface);
 
   /// Take the rigid rotations of these pieces out of @p u. Collective.
   template<int dim>
-  void remove_rotations(const Discretization<dim>       &discretization,
-                        const std::vector<TurningPiece> &pieces,
-                        GhostedVector                   &u);
+  void remove_rotations(const Discretization<dim>        &discretization,
+                        const std::vector<SpinningPiece> &pieces,
+                        GhostedVector                    &u);
 
   // Pieces in space that can turn about an axis or a point are not found.
   template<>
-  std::vector<TurningPiece> turning_pieces(const Discretization<2> &,
-                                           const Elasticity<2> &,
-                                           const ContactInterface<2> &);
+  std::vector<SpinningPiece> turning_pieces(const Discretization<2> &,
+                                            const Elasticity<2> &,
+                                            const ContactInterface<2> &);
   template<>
-  std::vector<TurningPiece> turning_pieces(const Discretization<3> &,
-                                           const Elasticity<3> &,
-                                           const ContactInterface<3> &);
+  std::vector<SpinningPiece> turning_pieces(const Discretization<3> &,
+                                            const Elasticity<3> &,
+                                            const ContactInterface<3> &);
   template<>
   void remove_rotations(const Discretization<2> &,
-                        const std::vector<TurningPiece> &,
+                        const std::vector<SpinningPiece> &,
                         GhostedVector &);
   template<>
   void remove_rotations(const Discretization<3> &,
-                        const std::vector<TurningPiece> &,
+                        const std::vector<SpinningPiece> &,
                         GhostedVector &);
 
   /**

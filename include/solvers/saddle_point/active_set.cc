@@ -57,7 +57,7 @@ namespace Contact
     const std::size_t                  n          = problem.points.size();
     const std::size_t                  max_rounds =
       20 + 20 * std::min(n, 50 * 50 * 50 / (n * n + 1));
-    while (updated_status(corrected, one_by_one))
+    while (update_statuses(corrected, one_by_one))
       {
         stop_if_interrupted(MPI_COMM_SELF); // of the system of one process
         if (++n_rounds > max_rounds)
@@ -99,7 +99,7 @@ namespace Contact
 
     // A point that has opened and closed again on the way has lost its bound.
     corrected = problem.solve_changes(update);
-    return !updated_status(corrected, /*one_by_one=*/false);
+    return !update_statuses(corrected, /*one_by_one=*/false);
   }
 
 
@@ -175,8 +175,8 @@ namespace Contact
 
 
 
-  bool ActiveSetSearch::updated_status(const Vector<double> &update,
-                                       const bool            one_by_one)
+  bool ActiveSetSearch::update_statuses(const Vector<double> &update,
+                                        const bool            one_by_one)
   {
     bool changed = false;
     for (unsigned int q = 0;

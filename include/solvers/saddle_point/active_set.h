@@ -79,7 +79,7 @@ namespace Contact
 
     /// Update the statuses under the @p update, all or only the first that
     /// changes. Returns whether there was one.
-    bool updated_status(const Vector<double> &update, const bool one_by_one);
+    bool update_statuses(const Vector<double> &update, const bool one_by_one);
 
     ContactInterface<2> &interface;
     LinearizedContact    problem;

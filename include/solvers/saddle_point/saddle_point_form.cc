@@ -62,7 +62,8 @@ namespace Contact
                                         rhs[model.interface->motion_index(k)],
                                         missing);
     state.solution += rhs;
-    model.discretization->settle(state.solution, state.load_factor);
+    model.discretization->project_on_rigid_motions(state.solution,
+                                                   state.load_factor);
     model.discretization->constrain_update(state.solution, state.load_factor);
     if (!settled)
       screen << "      the search of the active set does not settle: the "

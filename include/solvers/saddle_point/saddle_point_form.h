@@ -38,9 +38,9 @@ namespace Contact
       system.update_pattern(edges_have_changed);
     }
 
-    void forget_pattern() override
+    void clear_pattern() override
     {
-      system.forget_pattern();
+      system.clear_pattern();
     }
 
     void recover_multipliers(const GhostedVector &,

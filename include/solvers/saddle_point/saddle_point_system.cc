@@ -83,7 +83,7 @@ namespace Contact
 
 
 
-  void SaddlePointSystem::forget_pattern()
+  void SaddlePointSystem::clear_pattern()
   {
     matrix.clear();
     pattern.reinit(0, 0, 0);
@@ -111,23 +111,23 @@ namespace Contact
       return true;
 
     // A body that springs hold is far from where contact will hold it.
-    if (stands_anyway() || elasticity.springs.held().empty())
+    if (has_frozen_geometry() || elasticity.springs.held().empty())
       {
         TimerOutput::Scope scope(timer, "active set");
         if (ActiveSetSearch(discretization, *interface, solver, linearization)
               .correct(solution, u_start, rhs_and_update))
           return true;
       }
-    return search_standing(solution,
-                           u_start,
-                           load_factor,
-                           search == StatusSearch::first,
-                           rhs_and_update);
+    return search_with_frozen_geometry(solution,
+                                       u_start,
+                                       load_factor,
+                                       search == StatusSearch::first,
+                                       rhs_and_update);
   }
 
 
 
-  bool SaddlePointSystem::stands_anyway() const
+  bool SaddlePointSystem::has_frozen_geometry() const
   {
     return elasticity.is_linear() && !linearization.moving_geometry;
   }
@@ -137,15 +137,16 @@ namespace Contact
   // Tresca's problem under the present bounds, which is convex, is a step
   // towards the solution of Coulomb's if the search for that ends without one
   // at first.
-  bool SaddlePointSystem::search_standing(const GhostedVector &solution,
-                                          const GhostedVector &u_start,
-                                          const double         load_factor,
-                                          const bool           is_first,
-                                          GhostedVector       &rhs_and_update)
+  bool
+  SaddlePointSystem::search_with_frozen_geometry(const GhostedVector &solution,
+                                                 const GhostedVector &u_start,
+                                                 const double   load_factor,
+                                                 const bool     is_first,
+                                                 GhostedVector &rhs_and_update)
   {
     ContactLinearization standing = linearization;
     standing.moving_geometry      = false;
-    if (!stands_anyway() &&
+    if (!has_frozen_geometry() &&
         search_under(standing, solution, u_start, load_factor, rhs_and_update))
       return true;
     if (!is_first || !interface->bounds_follow || !interface->has_friction())

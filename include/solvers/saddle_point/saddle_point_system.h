@@ -71,7 +71,7 @@ namespace Contact
     void update_pattern(const bool pairing_has_changed);
 
     /// The points are no longer those that the pattern was made for.
-    void forget_pattern();
+    void clear_pattern();
 
     /**
      * The Newton update under the present statuses, from minus the residual
@@ -126,12 +126,12 @@ namespace Contact
                                 const StressStiffness       stress_stiffness,
                                 GhostedVector              &rhs);
     void solve_factorized(GhostedVector &rhs_and_update);
-    bool stands_anyway() const;
-    bool search_standing(const GhostedVector &solution,
-                         const GhostedVector &u_start,
-                         const double         load_factor,
-                         const bool           is_first,
-                         GhostedVector       &rhs_and_update);
+    bool has_frozen_geometry() const;
+    bool search_with_frozen_geometry(const GhostedVector &solution,
+                                     const GhostedVector &u_start,
+                                     const double         load_factor,
+                                     const bool           is_first,
+                                     GhostedVector       &rhs_and_update);
     bool search_under(const ContactLinearization &standing,
                       const GhostedVector        &solution,
                       const GhostedVector        &u_start,

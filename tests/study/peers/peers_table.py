@@ -158,7 +158,7 @@ def versions():
 
 def report(results):
     before, after = results["load"]
-    return f"""`./run study --peers`; {versions()}; load of the machine before \
+    return f"""`./run study --peers`; {versions()}; load average before \
 and after: {before:.2f}, {after:.2f}
 
 ## What an error costs

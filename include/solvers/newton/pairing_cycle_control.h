@@ -3,10 +3,10 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#ifndef contact_pairing_guard_h
-#define contact_pairing_guard_h
+#ifndef contact_pairing_cycle_control_h
+#define contact_pairing_cycle_control_h
 
-#include "solvers/newton/pairing_misfit.h"
+#include "solvers/newton/projection_mismatch.h"
 
 namespace Contact
 {
@@ -25,14 +25,14 @@ namespace Contact
    * of the closest points differ from its own by no more than this tolerance of
    * the way of a whole increment, and if these move the forces by no more than
    * that part of the size of the slave: displacements then change by no more
-   * than that part of themselves, see PairingMisfit. Otherwise points keep the
-   * edge that they face, which goes on a little beyond its ends, and both are
-   * compared in the end.
+   * than that part of themselves, see ProjectionMismatch. Otherwise points keep
+   * the edge that they face, which goes on a little beyond its ends, and both
+   * are compared in the end.
    */
-  class PairingGuard
+  class PairingCycleControl
   {
   public:
-    explicit PairingGuard(const double geometry_tolerance)
+    explicit PairingCycleControl(const double geometry_tolerance)
       : tolerance(geometry_tolerance)
     {
     }
@@ -62,7 +62,7 @@ namespace Contact
       ++n_renewals;
     }
 
-    bool goes_in_circles() const
+    bool cycles() const
     {
       return n_renewals >= 3;
     }
@@ -76,9 +76,9 @@ namespace Contact
 
     /// Whether a solution is accepted that its closest points do not agree
     /// with, where the surfaces move by @p way [mm] in a whole increment.
-    bool accepts(const PairingMisfit &misfit, const double way) const
+    bool accepts(const ProjectionMismatch &mismatch, const double way) const
     {
-      return accepts(misfit.gap, way) && misfit.feet <= tolerance;
+      return accepts(mismatch.gap, way) && mismatch.offset <= tolerance;
     }
 
   private:

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "solvers/condensed/slip_turning.h"
+#include "solvers/condensed/slip_direction_stiffness.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -13,14 +13,15 @@ namespace Contact
 {
   namespace
   {
-    using Term = SlipTurning<3>::Term;
+    using Term = SlipDirectionStiffness<3>::Term;
 
     /// The slip with what springs give way.
     template<int dim>
     Tensor<1, dim - 1> way(const ContactPoint<dim> &point,
                            const ContactState<dim> &now)
     {
-      return now.slip - point.springs * (now.lambda_t - point.shear_at_start) /
+      return now.slip - point.stick_compliance *
+                          (now.lambda_t - point.shear_at_start) /
                           point.augmentation_parameter;
     }
 
@@ -70,11 +71,11 @@ namespace Contact
 
 
   template<>
-  std::vector<SlipTurning<2>::Term>
-  SlipTurning<2>::terms(const ContactInterface<2> &,
-                        const GhostedVector &,
-                        const GhostedVector &,
-                        const bool)
+  std::vector<SlipDirectionStiffness<2>::Term>
+  SlipDirectionStiffness<2>::terms(const ContactInterface<2> &,
+                                   const GhostedVector &,
+                                   const GhostedVector &,
+                                   const bool)
   {
     return {};
   }
@@ -82,11 +83,11 @@ namespace Contact
 
 
   template<>
-  std::vector<SlipTurning<3>::Term>
-  SlipTurning<3>::terms(const ContactInterface<3> &interface,
-                        const GhostedVector       &solution,
-                        const GhostedVector       &u_start,
-                        const bool                 any_rank_may_add)
+  std::vector<SlipDirectionStiffness<3>::Term>
+  SlipDirectionStiffness<3>::terms(const ContactInterface<3> &interface,
+                                   const GhostedVector       &solution,
+                                   const GhostedVector       &u_start,
+                                   const bool                 any_rank_may_add)
   {
     std::vector<Term>         all;
     std::vector<Tensor<1, 2>> acting;
@@ -99,18 +100,20 @@ namespace Contact
         const double          c   = point.augmentation_parameter;
         const Tensor<1, 2>    whole_slip = way(point, now);
         // The shear of the springs acts already.
-        if (point.status.kind == Status::stick && point.springs.norm() > 0)
+        if (point.status.kind == Status::stick &&
+            point.stick_compliance.norm() > 0)
           {
-            all.push_back({k,
-                           {},
-                           c * point.springs,
-                           point.springs * (now.q_trial + c * whole_slip)});
+            all.push_back(
+              {k,
+               {},
+               c * point.stick_compliance,
+               point.stick_compliance * (now.q_trial + c * whole_slip)});
             acting.emplace_back();
           }
         const double size = now.q_trial.norm();
         // Supports move it, or an edge leaves one direction: nothing turns.
         if (!point.status.has_direction() || size == 0 ||
-            !point.held_slips.empty())
+            !point.tangents_held_by_points.empty())
           continue;
         const double bound = interface.law(point).bound(now.p_trial);
         // The exact stiffness of a point that hardly slips is without bound:
@@ -122,7 +125,7 @@ namespace Contact
 
         const Tensor<1, 2> &d      = point.status.direction();
         const Tensor<1, 2>  across = cross_product_2d(d);
-        const Tensor<1, 2>  rigid  = across - point.springs * across;
+        const Tensor<1, 2>  rigid  = across - point.stick_compliance * across;
         const double        left   = 1 - beta * (across * rigid);
         const double share      = beta < largest * left ? beta / left : largest;
         const Tensor<1, 2> turn = share * (rigid * d) * across;
@@ -154,11 +157,12 @@ namespace Contact
 
 
   template<int dim>
-  std::vector<typename SlipTurning<dim>::Turned>
-  SlipTurning<dim>::turned_shears(const std::vector<Term>     &terms,
-                                  const ContactInterface<dim> &interface,
-                                  const GhostedVector         &solution,
-                                  const GhostedVector         &u_start)
+  std::vector<typename SlipDirectionStiffness<dim>::Turned>
+  SlipDirectionStiffness<dim>::turned_shears(
+    const std::vector<Term>     &terms,
+    const ContactInterface<dim> &interface,
+    const GhostedVector         &solution,
+    const GhostedVector         &u_start)
   {
     std::vector<Turned> turned(interface.points().size());
     for (const Term &term : terms)
@@ -173,6 +177,6 @@ namespace Contact
     return turned;
   }
 
-  template class SlipTurning<2>;
-  template class SlipTurning<3>;
+  template class SlipDirectionStiffness<2>;
+  template class SlipDirectionStiffness<3>;
 } // namespace Contact

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "model/turned_glue.h"
+#include "model/rotated_tie.h"
 
 #include <map>
 
@@ -46,7 +46,7 @@ namespace Contact
 
 
   template<int dim>
-  TurnedGlue<dim>::TurnedGlue(const ContactModel<dim> &model,
+  RotatedTie<dim>::RotatedTie(const ContactModel<dim> &model,
                               GhostedVector           &solution)
     : interface(model.interface.get())
     , solution(solution)
@@ -73,7 +73,7 @@ namespace Contact
 
 
   template<int dim>
-  TurnedGlue<dim>::~TurnedGlue()
+  RotatedTie<dim>::~RotatedTie()
   {
     if (drawn.empty())
       return;
@@ -85,7 +85,7 @@ namespace Contact
 
 
   template<int dim>
-  void TurnedGlue<dim>::turn(const ContactPair<dim>         &contact_pair,
+  void RotatedTie<dim>::turn(const ContactPair<dim>         &contact_pair,
                              std::vector<ContactPoint<dim>> &points)
   {
     const auto drawn_normals =
@@ -124,6 +124,6 @@ namespace Contact
       }
   }
 
-  template class TurnedGlue<2>;
-  template class TurnedGlue<3>;
+  template class RotatedTie<2>;
+  template class RotatedTie<3>;
 } // namespace Contact

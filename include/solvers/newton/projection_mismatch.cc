@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "solvers/newton/pairing_misfit.h"
+#include "solvers/newton/projection_mismatch.h"
 
 #include <deal.II/base/bounding_box.h>
 
@@ -24,7 +24,8 @@ namespace Contact
 
 
 
-    /// From the foot of a point on the master to its place on the slave [mm].
+    /// From the projection point of a point on the master to its place on the
+    /// slave [mm].
     template<int dim>
     Tensor<1, dim> separation(const ContactInterface<dim> &interface,
                               const ContactPoint<dim>     &point,
@@ -90,13 +91,13 @@ namespace Contact
 
 
   template<int dim>
-  PairingMisfit misfit(const ContactInterface<dim> &interface,
-                       const GhostedVector         &solution,
-                       const GhostedVector         &u_start)
+  ProjectionMismatch mismatch(const ContactInterface<dim> &interface,
+                              const GhostedVector         &solution,
+                              const GhostedVector         &u_start)
   {
     const std::vector<ContactPoint<dim>> closest =
       interface.paired_anew(solution);
-    PairingMisfit found;
+    ProjectionMismatch found;
     for (const auto &contact_pair : interface.pairs)
       {
         if (contact_pair->tied)
@@ -124,9 +125,9 @@ namespace Contact
           continue;
         const double part =
           couples / forces / size(contact_pair->slave, solution);
-        if (part > found.feet)
+        if (part > found.offset)
           {
-            found.feet   = part;
+            found.offset = part;
             found.unheld = unheld / forces;
           }
         found.shift = std::max(found.shift, couples / forces);
@@ -134,10 +135,10 @@ namespace Contact
     return found;
   }
 
-  template PairingMisfit misfit(const ContactInterface<2> &,
-                                const GhostedVector &,
-                                const GhostedVector &);
-  template PairingMisfit misfit(const ContactInterface<3> &,
-                                const GhostedVector &,
-                                const GhostedVector &);
+  template ProjectionMismatch mismatch(const ContactInterface<2> &,
+                                       const GhostedVector &,
+                                       const GhostedVector &);
+  template ProjectionMismatch mismatch(const ContactInterface<3> &,
+                                       const GhostedVector &,
+                                       const GhostedVector &);
 } // namespace Contact

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#ifndef contact_slip_turning_h
-#define contact_slip_turning_h
+#ifndef contact_slip_direction_stiffness_h
+#define contact_slip_direction_stiffness_h
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -25,13 +25,13 @@ namespace Contact
    * square of a facet's length. At the solution k = w b/|s|, the derivative of
    * the exact law. In the plane there is nothing to turn.
    *
-   * Along a spring (PointPairing::springs) q_trial changes by -c ds alone: with
-   * P the projection across springs, alpha = beta/(1 - beta a.P a),
+   * Along a spring (PointPairing::stick_compliance) q_trial changes by -c ds
+   * alone: with P the projection across springs, alpha = beta/(1 - beta a.P a),
    *   lambda_new = b (d + alpha a.P d a) - alpha a (a.P lambda + c a.ds).
    * A point that sticks has the stiffness c of its springs.
    */
   template<int dim>
-  class SlipTurning
+  class SlipDirectionStiffness
   {
   public:
     /// What a point adds to the system, over unknowns of the displacement: of
@@ -60,7 +60,7 @@ namespace Contact
       }
     };
 
-    /// Of the slipping points in a state.  All ranks add as many, if @p
+    /// Of the slipping points in a state. All ranks add as many, if @p
     /// any_rank_may_add, else the owner of the point's node.
     static std::vector<Term> terms(const ContactInterface<dim> &interface,
                                    const GhostedVector         &solution,

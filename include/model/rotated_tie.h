@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#ifndef contact_turned_glue_h
-#define contact_turned_glue_h
+#ifndef contact_rotated_tie_h
+#define contact_rotated_tie_h
 
 #include "model/contact_model.h"
 
@@ -23,15 +23,15 @@ namespace Contact
    * discretization, whose multipliers belong to no normal.
    */
   template<int dim>
-  class TurnedGlue
+  class RotatedTie
   {
   public:
-    TurnedGlue(const ContactModel<dim> &model, GhostedVector &solution);
+    RotatedTie(const ContactModel<dim> &model, GhostedVector &solution);
 
-    TurnedGlue(const TurnedGlue &)            = delete;
-    TurnedGlue &operator=(const TurnedGlue &) = delete;
+    RotatedTie(const RotatedTie &)            = delete;
+    RotatedTie &operator=(const RotatedTie &) = delete;
 
-    ~TurnedGlue();
+    ~RotatedTie();
 
   private:
     void turn(const ContactPair<dim>         &contact_pair,
