@@ -53,7 +53,7 @@
 // positive definite (but for friction by Newton's method), for conjugate
 // gradients with multigrid, many unknowns and several processes.
 // There the active set of step-41 and step-42 is searched from step to step,
-// which is cheap because a level starts where the one before ended; in space
+// which is cheap because a level starts where the one before ended; in 3-D
 // within a step, too.
 //
 // With several processes each has a part of the mesh, of the matrix and of the
@@ -206,7 +206,7 @@ namespace Contact
 
 
 
-  // What is estimated is so in the plane.
+  // What is estimated is so in 2-D.
   template<>
   ProbeErrors ContactProblem<2>::estimate_errors();
   template<>
@@ -297,7 +297,7 @@ namespace Contact
       }
     if (!summary.converged)
       report.screen << summary.message << std::endl;
-    // Also of a scene that can not be set up.
+    // Also of a scene that cannot be set up.
     if (!report.has_files())
       report.open_files(*model.discretization);
     report.finish();
@@ -373,7 +373,7 @@ namespace Contact
                                          report.timer);
       pairing.begin_level(*system);
     }
-    // In space pairings cost, and without friction nothing asks for one before
+    // In 3-D pairings cost, and without friction nothing asks for one before
     // the start from the coarser level has its own.
     if (dim == 2 || levels.present() == 0 || model.has_friction())
       pairing.pair(state.solution);
@@ -579,7 +579,7 @@ namespace Contact
   // @sect4{ContactProblem::check_turns}
   //
   // Slip is the straight way of the obstacle's material between two ends of an
-  // increment; in space shear is off its direction by half of the angle. Turns
+  // increment; in 3-D shear is off its direction by half of the angle. Turns
   // that follow from a moment are known at its end.
   template<int dim>
   void ContactProblem<dim>::check_turns() const
@@ -1143,7 +1143,7 @@ namespace Contact
 
 // @sect3{The main function}
 //
-// Whether a scene is one in the plane or in space, its mesh tells.
+// Whether a scene is one in 2-D or in 3-D, its mesh tells.
 int main(int argc, char **argv)
 {
   using namespace Contact;

@@ -5,15 +5,15 @@
     convert.py [--bodies NAME,NAME] IN OUT.msh
 
 IN is a MED file (Code_Aster, Salome; 2.2 to 4) or of any format that meshio
-reads. Groups keep their names: in the plane groups of faces become bodies and
-groups of lines the parts of their boundaries, in space (hexahedra) groups of
+reads. Groups keep their names: in 2-D groups of faces become bodies and
+groups of lines the parts of their boundaries, in 3-D (hexahedra) groups of
 volumes and groups of faces; point elements and groups of one node become the
 named points. Every cell needs one body; --bodies says which groups of cells are
 bodies where others overlap with them. Elements of first and second order keep
 their nodes, but contact takes the corners alone: what is round is reported,
-with the circle for Mesh/Arcs (in space the sphere, cylinder or cone for
+with the circle for Mesh/Arcs (in 3-D the sphere, cylinder or cone for
 Mesh/Spheres, Cylinders or Cones) where a group is one, and with a note on stderr
-where it becomes straight. Exit status: 0, or 2 if IN can not be converted.
+where it becomes straight. Exit status: 0, or 2 if IN cannot be converted.
 
 For Debian's Python with python3-h5py (MED) and python3-meshio (the others).
 """
@@ -240,7 +240,7 @@ def read(path: Path) -> Mesh:
         raise
     # Readers are many, and each has errors of its own.
     except (Exception, SystemExit) as reason:
-        raise BadMesh(f"the mesh can not be read: {reason!r}", str(path),
+        raise BadMesh(f"the mesh cannot be read: {reason!r}", str(path),
                       "write it again, as MED or in another format of "
                       "meshio's") from None
 

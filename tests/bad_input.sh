@@ -210,7 +210,7 @@ expect "multipliers of the discretization Gauss" "$gauss" \
 expect "multipliers of the discretization Gauss" "$gauss" --set "$condensed"
 expect "Refinement/Levels" "$gauss" --set Refinement/Levels=1
 expect "Nested iteration" "$good" --set Refinement/Levels=1 --set "$saddle"
-expect "CHOLMOD can not solve it" "$good" --set "$saddle" \
+expect "CHOLMOD cannot solve it" "$good" --set "$saddle" \
   --set "Solution/Linear solver=CHOLMOD"
 expect "UMFPACK is for saddle point" "$good" --set "$condensed" \
   --set "Solution/Linear solver=UMFPACK"
@@ -373,7 +373,7 @@ expect "body 'Block' against: displacement in y" "$good" \
   --set "Contact/Slave=" --set "Contact/Master=" --set "Probes/Hertz=" \
   --set "Contact/Excluded points=" --set "Boundary conditions/Tied y="
 
-# Output: a directory below a file can not be made, not even by root.
+# Output: a directory below a file cannot be made, not even by root.
 touch file
 expect_entry "file" "Output/Directory=file/below"
 

@@ -287,7 +287,7 @@ def main():
               {"triangle": MED_TRIA3})
     refuse("a mesh out of a plane", "not plane", med, msh)
     pathlib.Path("text.med").write_text("no mesh")
-    refuse("no mesh at all", "can not be read", "text.med", msh)
+    refuse("no mesh at all", "cannot be read", "text.med", msh)
     refuse("no file", "does not exist", "absent.med", msh)
     sys.exit(failures > 0)
 

@@ -180,7 +180,7 @@ def in_space(contact, med, msh):
     case.write_text(BLOCKS)
     solids_of_meshio(*blocks(8))
     reference = results(contact, case, pathlib.Path("own.msh").absolute())
-    check("in space, the own mesh", "u" in reference, reference)
+    check("in 3-D, the own mesh", "u" in reference, reference)
     for n_nodes, types in SOLIDS.items():
         solids, tip = blocks(n_nodes)
         write_med(med, solids.points, solids.elements, {tip: ["Tip"]}, types)
@@ -196,7 +196,7 @@ def in_space(contact, med, msh):
     round_faces(med, msh)
     pathlib.Path("cube.inp").write_text(SHELLS)
     run = convert("cube.inp", "cube.msh")
-    check("Abaqus in space: names", run.stdout.strip().splitlines()[-4:] == [
+    check("Abaqus in 3-D: names", run.stdout.strip().splitlines()[-4:] == [
         "bodies: Cube (1)", "boundaries: Top (1)", "curves: none",
         "points: Corner (1)"], run.stdout + run.stderr)
 

@@ -5,8 +5,8 @@
 Proves that
 
 - displacements may be formulas of the place and of the load factor: two ends of
-  a block that are turned by any angle turn it as a rigid body, in the plane, in
-  space and on two processes; a linear field gives the uniform stress of Hooke's
+  a block that are turned by any angle turn it as a rigid body, in 2-D, in
+  3-D and on two processes; a linear field gives the uniform stress of Hooke's
   law; nodes that hang follow others; two boundaries with the same formula may
   share nodes;
 - points may be named by their place: supports, forces and probes there are those
@@ -14,12 +14,12 @@ Proves that
   closest node named, and so is the name of a boundary;
 - an interference presses two blocks on each other, and a block on an obstacle,
   with the closed form's pressure, and is released again; with every
-  discretization, in the plane and in space, and as the mesh would that overlaps;
-- a curve in space may be held: a plate on two edges, of degree 1 and 2, on
+  discretization, in 2-D and in 3-D, and as the mesh would that overlaps;
+- a curve in 3-D may be held: a plate on two edges, of degree 1 and 2, on
   finer meshes and on two processes;
 - a boundary may be tied to a point: a platen that a force pushes goes as far as
   the displacement that needs this force, with all nodes where they are then, in
-  the plane, in space, with nodes that hang, on two processes, and in contact.
+  2-D, in 3-D, with nodes that hang, on two processes, and in contact.
 
 Usage: entries.py CONTACT PARAMETERS MESHES
 """
@@ -65,8 +65,8 @@ def turned():
                  entry] = f"A_L: {value}; A_R: {value}"
     c, s = math.cos(angle), math.sin(angle)
     for what, more, ranks in (
-            ("in the plane", {}, 1), ("of degree 2", {"Element/Degree": 2}, 1),
-            ("on two processes", {}, 2), ("in space", in_space, 1)):
+            ("in 2-D", {}, 1), ("of degree 2", {"Element/Degree": 2}, 1),
+            ("on two processes", {}, 2), ("in 3-D", in_space, 1)):
         status, said, _ = run("turned", {**entries, **more}, ranks)
         worst = max(max(abs(n["displacement_x_mm"] - (c - 1) * n["X_mm"] +
                             s * n["Y_mm"]),
@@ -187,10 +187,10 @@ def platen():
     adaptive = {"Refinement/Levels": 4, "Refinement/Strategy": "adaptive"}
     space = {"Mesh/File": "platen_space.msh", "Mesh/Points": "P: -3, -3, 4"}
     for what, more, ranks in (
-            ("in the plane", plane, 1), ("on two processes", plane, 2),
+            ("in 2-D", plane, 1), ("on two processes", plane, 2),
             ("of degree 2", {**plane, "Element/Degree": 2}, 1),
             ("with hanging nodes", {**plane, **adaptive}, 1),
-            ("in space", space, 1), ("in space, two processes", space, 2)):
+            ("in 3-D", space, 1), ("in 3-D, two processes", space, 2)):
         down = "z" if "space" in what else "y"
         head, base, sole, ground = (
             ("Head", "Base", "Sole", "Ground") if down == "y" else
@@ -326,8 +326,8 @@ def interference():
             ("Gauss", {**matching, "Contact/Discretization": "Gauss"}),
             ("degree 2", {**plane, "Element/Degree": 2}),
             ("with friction", {**plane, "Contact/Friction coefficient": 0.1}),
-            ("on a plane", rigid), ("in space", space),
-            ("in space, nodal", {**space, "Contact/Discretization": "nodal",
+            ("on a plane", rigid), ("in 3-D", space),
+            ("in 3-D, nodal", {**space, "Contact/Discretization": "nodal",
                                  "Mesh/File": "interference_space_matching.msh"})):
         bodies = ["A"] if what == "on a plane" else ["A", "B"]
         scene = {**more, "Solids/Kinematics": "small strain",

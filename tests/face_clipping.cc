@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// The intersection of two facets in the plane: its area against the closed form
+// The intersection of two facets in 2-D: its area against the closed form
 // for squares whose sides lie on each other up to round-off, in any direction
 // (as slave and master facets do on a symmetry plane), and for turned squares;
 // in either order and with either sense of the corners.

@@ -60,7 +60,7 @@ namespace
 
 
 
-  // Proves that a formula that can not be read is refused by an error that
+  // Proves that a formula that cannot be read is refused by an error that
   // quotes it, and names the variables there are.
   void check_broken()
   {

@@ -10,13 +10,13 @@ Proves that
   kinematics, every discretization, rings, space, two processes, two levels, and
   as the plane that is moved so far;
 - under a force and a moment beside its middle a plane turns and sinks as the one
-  whose motion is given, in small strain and large displacement, in space, too;
+  whose motion is given, in small strain and large displacement, in 3-D, too;
 - with friction a circle pressed and then pushed sideways moves, increment by
   increment, as the one that is given these motions, with the same forces
   (Cattaneo and Mindlin by forces), and a restart goes on;
 - the preload of a bolt is exact: its stress, by how much it is shortened; with
   its length kept, a later load is shared as the stiffnesses of bolt and sleeve
-  are; in the plane, in space, on two processes, both systems, and each mesh of
+  are; in 2-D, in 3-D, on two processes, both systems, and each mesh of
   several levels keeps its own length;
 - no increment takes more than 8 Newton steps;
 - a force that pulls, and one along a direction in which nothing resists, end
@@ -111,8 +111,8 @@ def pressed():
             ("two levels", {**small, **levels}, way, 1),
             ("rings", {**small, "Solids/Symmetry": "axisymmetric",
                        "Boundary conditions/Displacement x": ""}, rings, 1),
-            ("in space, two processes", space, in_space, 2),
-            ("in space, two levels", {**space, "Refinement/Levels": 2},
+            ("in 3-D, two processes", space, in_space, 2),
+            ("in 3-D, two levels", {**space, "Refinement/Levels": 2},
              in_space, 1)):
         found = scene(f"pressed plane, {what}", "pressed", {**plane, **more},
                       ranks)
@@ -148,7 +148,7 @@ def turned():
             ("condensed, small strain",
              {"Solution/System": "condensed",
               "Solids/Kinematics": "small strain"}, 0.3),
-            ("in space", space, 1.)):
+            ("in 3-D", space, 1.)):
         what = f"turned plane, arm {arm}, {what}"
         by_force = {**plane, **more, "Contact/Obstacle force": "y: -40*t",
                     "Contact/Obstacle moment": f"{-40 * arm}*t"}
@@ -270,7 +270,7 @@ def preloaded():
                                         "Element/Degree": 2}, 1,
              E / (1 - NU**2), 1),
             ("two processes", condensed, 1, E / (1 - NU**2), 2),
-            ("in space", space, DEPTH, E, 1)):
+            ("in 3-D", space, DEPTH, E, 1)):
         what = f"bolt, {what}"
         walls = entries["Boundary conditions/Displacement y"]
         alone = scene(what, "bolt", {
@@ -326,7 +326,7 @@ def refused():
              ("Obstacle force", "Obstacle motion")),
             ("no force", {"Contact/Obstacle force": "angle: t"},
              ("Obstacle force", "Obstacle moment")),
-            ("z in the plane", {"Contact/Obstacle force": "z: t"},
+            ("z in 2-D", {"Contact/Obstacle force": "z: t"},
              ("Obstacle force", "plane")),
             ("preload without a cut", {"Contact/Preload": "t"},
              ("Contact/Preload", "Contact/Tied")),

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// Cells of distorted quadrangles and hexahedra with incompatible modes, in the
-// plane, of rings and in space, in small strain and large displacement:
+// Cells of distorted quadrangles and hexahedra with incompatible modes, in
+// 2-D, of rings and in 3-D, in small strain and large displacement:
 //  - a linear displacement has the uniform stress of the material, and no
 //    forces inside (patch test);
 //  - forces are the derivative of the energy, and the tangent that of the

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// Materials that are not linear elastic, in the plane, of rings and in space,
+// Materials that are not linear elastic, in 2-D, of rings and in 3-D,
 // with the full and with the projected dilatation:
 //  - the tangent is the derivative of the forces, also while points yield, that
 //    have yielded before;

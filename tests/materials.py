@@ -15,7 +15,7 @@ Proves that
 - under a cylinder von Mises' stress is the largest where Hertz' pressure has it
   (p0 = 1.794 Y at first yield, 0.704 a deep, nu = 0.3; the stresses on the axis
   are those of Johnson, Contact Mechanics, 1985, equation 4.46);
-- in space a quarter of the tube that yields has the same closed form, and so has
+- in 3-D a quarter of the tube that yields has the same closed form, and so has
   the tube on a mesh that is refined adaptively;
 - blocks of Mooney-Rivlin and neo-Hookean material in uniaxial, biaxial and plane
   stretch have the stress of the closed form, and with a strain of 1e-6 the energy
@@ -146,7 +146,7 @@ cells = [level["cells"] for level in adaptive["levels"]]
 check("adaptive tube: some cells are divided, not all", all(
     a < b < 4 * a for a, b in zip(cells, cells[1:])), cells)
 
-# A quarter of the tube in space, a layer of cells high: the same closed form.
+# A quarter of the tube in 3-D, a layer of cells high: the same closed form.
 quarter = Volumes()
 quarter.block("Tube", (8, 8, 1), lambda r, s, t: (
     100 * 2**r * math.cos(s * math.pi / 2), 100 * 2**r * math.sin(s * math.pi / 2),

@@ -454,7 +454,7 @@ namespace
         of_volumes = true;
       }
     check("volumes where a plane mesh is wanted", of_volumes);
-    expect_error("an arc in space", "no arcs", [&] {
+    expect_error("an arc in 3-D", "no arcs", [&] {
       with_parameters([](auto &p) { p.arcs = {{"Body top", {0, 0, 1}}}; });
     });
     expect_error("a sphere elsewhere", "away from its surface", [&] {

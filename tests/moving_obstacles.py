@@ -15,12 +15,12 @@ Proves that
 - a block between two planes that turn together by 90 degrees is carried along as
   a rigid body: no slip, no work, to 1e-9;
 - a circle that turns against a block slips everywhere once its torque is
-  mu sum w p R, and sticks before; in space a cylinder does to an extruded block
+  mu sum w p R, and sticks before; in 3-D a cylinder does to an extruded block
   what the circle does to the plane one, by its thickness;
 - a profile with round corners is the circle, hole, half plane or cylinder that it
   can be;
 - forces and moments are those of the nodes of the slave about the centre;
-- in space a sphere that turns about a slanted axis exerts mu sum w p r there once
+- in 3-D a sphere that turns about a slanted axis exerts mu sum w p r there once
   all slips, the same turned, and with both systems' loops of friction;
 - what a round tool works that irons a soft block is stored or rubbed away, but for
   the error of the rule in time, which halves with the increments; its forces stay
@@ -404,7 +404,7 @@ def restarted(entries):
 
 
 def spinning_sphere():
-    """In space, pressed into a block that is held at its top, then turned about
+    """In 3-D, pressed into a block that is held at its top, then turned about
     an axis through its centre that is slanted by 60 degrees; as it is, and turned
     about all axes."""
     mesh = Volumes()
@@ -517,7 +517,7 @@ def refusals():
             ({"Contact/Obstacle motion": "x: 1/(1 - 2*t)"}, "infinite"),
             ({"Contact/Obstacle centre": "1, 2, 3"}, "no point"),
             ({"Contact/Obstacle motion": "x: t", "Contact/Obstacle axis":
-              "0, 0, 1"}, "no direction in space"),
+              "0, 0, 1"}, "no direction in 3-D"),
             ({"Contact/Obstacle motion": "x: t", "Contact/Tied": "true",
               "Contact/Friction coefficient": 0}, "glued"),
             ({"Contact/Obstacle motion": "angle: t",

@@ -1,16 +1,16 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The multigrid without a matrix.
+"""The matrix-free multigrid.
 
 Proves that
 
 - it has the probes of CHOLMOD to 1e-8: without and with friction, with large
-  displacements, with hanging nodes in the plane and at the surfaces of contact in
-  space, at both degrees, on one process and on several;
+  displacements, with hanging nodes in 2-D and at the surfaces of contact in
+  3-D, at both degrees, on one process and on several;
 - its conjugate gradients take at most 12 iterations a solve, on coarse meshes and
   fine ones, and if one side is up to a thousand times as stiff as the other or
-  its cells eight times as small; at most twice as many as with equal bodies, in the
-  plane and in space, without and with friction;
+  its cells eight times as small; at most twice as many as with equal bodies, in
+  2-D and in 3-D, without and with friction;
 - so they do for six digits with glued surfaces, where they touch and across gaps of
   many cells, however fine the mesh is;
 - each process has its part of the unknowns alone;
@@ -79,7 +79,7 @@ space = both("space", "nested_space", "Refinement/Levels=1", "Element/Degree=2",
              "Element/Centre node=free", ranks=(1, 2))
 if space:
     held = [s["displacements_on_a_process"] / s["unknowns"]["displacement"]
-            for s in space[1:]]
+            for s in 3-D[1:]]
     check("a process holds its part", held[1] < 0.8 < held[0], held)
 slipping = both("space, hanging nodes, friction", "nested_space_friction",
                 "Refinement/Levels=2", "Refinement/Strategy=adaptive",

@@ -20,7 +20,7 @@ for modeling in a b c d e f g h; do
     "output/ssnp154_$modeling/summary.json"
 done
 
-# In space the bound of friction is in the tangent, the pairing is renewed before
+# In 3-D the bound of friction is in the tangent, the pairing is renewed before
 # each step, and its stiffness is in the tangent; the active set is searched within
 # a step. Multigrid serves the unsymmetric matrix with points that begin to slip
 # (in the second increment of the sphere), whose shears turn as if a spring held

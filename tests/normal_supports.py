@@ -6,7 +6,7 @@ Proves that
 
 - a scene that is turned by odd angles, with its supports turned along, has the
   displacements, forces and stresses of the scene along the axes, turned, to 1e-9:
-  in the plane and in space, a block under pressure and two blocks in contact, one
+  in 2-D and in 3-D, a block under pressure and two blocks in contact, one
   of them round, with friction, with the mortar and the nodal discretization, pushed
   by a support, elements of degree 1 and 2, levels, and two processes;
 - supports along axes and along normals combine at a node: in a scene along the axes

@@ -127,7 +127,7 @@ namespace
 
 
 
-  // Proves that files that can not be read are named, with who asks for them.
+  // Proves that files that cannot be read are named, with who asks for them.
   void test_files()
   {
     section("files");

@@ -89,7 +89,7 @@ namespace Tests
 
 
 
-  // The mesh file is stored as an absolute path, which the test can not
+  // The mesh file is stored as an absolute path, which the test cannot
   // compare: it is printed relative to the working directory.
   inline std::string mesh_file(const Case &result)
   {

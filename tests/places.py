@@ -178,7 +178,7 @@ def processes():
     for c in "xyz":
         space["Boundary conditions/Displacement " + c] = "A_L: 0"
     plane = {**BENT, "Mesh/File": "coarse.msh", "Mesh/Points": "P: 3.777, 1.93"}
-    for what, scene in (("in the plane", plane), ("in space", space)):
+    for what, scene in (("in 2-D", plane), ("in 3-D", space)):
         found = []
         for ranks in (1, 2):
             status, said, summary = run("ranks", {

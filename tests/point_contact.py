@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Closed forms of contact in space, for the scripts beside this one and for the
+"""Closed forms of contact in 3-D, for the scripts beside this one and for the
 references in parameters/verification/3d. Lengths in mm, forces in N, stresses
 in MPa. Equations are those of K. L. Johnson, Contact Mechanics (1985), where
 they are numbered; the others are derived where they stand."""

@@ -5,7 +5,7 @@
 
 // Proves that result files hold the cells and nodes that VTK expects, whole
 // after every increment; that probes have the values of known fields; that
-// summary and table hold the verdicts; and that a directory which can not be
+// summary and table hold the verdicts; and that a directory which cannot be
 // written to is refused. The profiles themselves: postprocessing_profiles.cc.
 
 #include "postprocessing.h"
@@ -230,7 +230,7 @@ namespace
 
 
 
-  // Proves that a directory that can not be is refused with what, where and
+  // Proves that a directory that cannot be is refused with what, where and
   // remedy, and that what stands in its way stays.
   void check_unwritable()
   {

@@ -20,7 +20,7 @@ values() {
 # one in the last
 decisions() {
   grep -E '"(level|active|stick|slip)": [0-9]+,?$' "$1/summary.json"
-  # In space the order of the nodes depends on the processes: by their places.
+  # In 3-D the order of the nodes depends on the processes: by their places.
   awk -F, '
     NR == 1 {
       for (i = 1; i <= NF; ++i) {
@@ -123,7 +123,7 @@ solver=AMG
 values=value
 beside=0.35
 processes='1 2'
-compare "levels in space, friction" nested_space_friction.prm \
+compare "levels in 3-D, friction" nested_space_friction.prm \
   --set Refinement/Levels=1
 values='value|y'
 beside=0.2

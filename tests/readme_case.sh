@@ -28,7 +28,7 @@ gmsh -2 -format msh41 -o mine.msh mine.geo >gmsh.log
 grep -q '"stick": [1-9]' output/mine/summary.json
 grep -q '"slip": [1-9]' output/mine/summary.json
 
-# In space.
+# In 3-D.
 block parameters/README.md geo >drag.geo
 block parameters/README.md prm >drag.prm
 [ -s drag.geo ] && [ -s drag.prm ]

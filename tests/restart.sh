@@ -143,7 +143,7 @@ ln -s /dev/full "full/$name/bodies_0005.vtu.part"
 status=0
 run full || status=$?
 [ "$status" -eq 2 ] || fail "full disk: exit status $status instead of 2"
-grep -q 'can not be written' full.log || fail "full disk: no message"
+grep -q 'cannot be written' full.log || fail "full disk: no message"
 [ "$(finished full)" -eq 4 ] ||
   fail "full disk: $(finished full) increments in the summary instead of 4"
 run full --restart || fail "full disk: --restart ends with $?"

@@ -5,12 +5,12 @@
 Proves that
 
 - a moment bends a beam, and an eccentric force tilts the head of a column, by the
-  closed forms without Poisson's ratio, in the plane, in space, with nodes that
+  closed forms without Poisson's ratio, in 2-D, in 3-D, with nodes that
   hang and on two processes; a force pushes the head of a ring;
 - a rotation of any size turns a block without stress, to where formulas of the
   place would; the moment that this needs of a beam turns it as far again;
 - a punch that an eccentric force tilts has the forces of one that is moved so,
-  and a block in space that is refined adaptively is the same on two processes;
+  and a block in 3-D that is refined adaptively is the same on two processes;
 - a moment that supports and contact share is noted, and what it is of supports;
 - what contradicts it is refused.
 
@@ -93,7 +93,7 @@ def columns():
     for ranks in (1, 2):
         status, said, summary = run("column_space", space, ranks)
         found = values(summary) if status == 0 else {}
-        check(f"the same in space, {ranks} processes",
+        check(f"the same in 3-D, {ranks} processes",
               near(found, expected, 1e-7), f"{found} {expected} {said[:300]}")
 
     mesh = Mesh()
@@ -157,7 +157,7 @@ def turns():
                 u = ((math.cos(angle) - 1) * (X[k] - n[k] * nX) +
                      math.sin(angle) * cross[k])
                 worst = max(worst, abs(node[f"displacement_{a}_mm"] - u))
-        check(f"the same in space, {ranks} processes", worst < 1e-10,
+        check(f"the same in 3-D, {ranks} processes", worst < 1e-10,
               f"{worst} {said[:300]}")
 
     mesh = Mesh()

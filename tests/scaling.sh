@@ -5,7 +5,7 @@
 # and on two ranks. A Markdown table, and the exponent of the unknowns in the
 # wall time, from 80000 unknowns on.
 #   scaling.sh CONTACT [MAX_UNKNOWNS [OPTION...]]
-#   scaling.sh CONTACT space [OPTION...]   in space, see scaling_space.py
+#   scaling.sh CONTACT space [OPTION...]   in 3-D, see scaling_space.py
 #   scaling.sh CONTACT processes [OPTION...]   see scaling_processes.py
 # MAX_UNKNOWNS is 1400000 by default; 5300000 takes 10 GB. Not a test: nothing
 # is asserted but convergence. Results go to a scratch directory.

@@ -212,7 +212,7 @@ def parse():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("contact", type=pathlib.Path)
     parser.add_argument("--levels", default="5,3",
-                        help="of refinement in the plane and in space [5,3]")
+                        help="of refinement in 2-D and in 3-D [5,3]")
     parser.add_argument("--ranks", default="1,2,4",
                         help="numbers of processes [1,2,4]")
     parser.add_argument("--repeat", type=int, default=2,

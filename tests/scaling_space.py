@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cost of contact on fine meshes in space: parameters/nested_space.prm
+"""The cost of contact on fine meshes in 3-D: parameters/nested_space.prm
 without friction on finer and finer meshes, each with the same bodies glued
 together on the finest mesh alone; with friction on the largest one, and on
 several processes.

@@ -515,7 +515,7 @@ def solved(what, scene, settings, entries, cut, most_steps=MOST_STEPS, **more):
 
 # Friction with nodes that slide over edges in 3-D, and corners that sink in between
 # two nodes: no result, and said.
-# In the plane a corner of the master that touches two sides of the slave at once has
+# In 2-D a corner of the master that touches two sides of the slave at once has
 # a point for the closer one alone.
 UNSOLVED = {("3-D", "corner of two walls", "In", "nodal", 0),
             ("3-D", "beside a wall", "In", "nodal", 0.3),

@@ -115,7 +115,7 @@ def sole_in_space():
                 "Boundary conditions/Pressure": f"B_top: {P}",
                 "Probes/Probes": "; ".join(f"p{c}: pressure, B_{c}"
                                            for c in ("000", "100", "110"))})
-            what = f"sole in space, degree {degree}, {rule}"
+            what = f"sole in 3-D, degree {degree}, {rule}"
             check(f"{what}: converges", status == 0, said[-300:])
             if status != 0:
                 continue

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Contact in space.
+"""Contact in 3-D.
 
 Proves that
 
@@ -8,8 +8,8 @@ Proves that
   program, with elements of 8, 20 and 27 nodes, with and without friction: to
   1e-8 SSNP154 with the nodal discretization and a flat punch with the mortar
   discretization as well. (On round surfaces the two mortar discretizations are
-  not one: they project in directions that differ, in the plane along a normal
-  that turns along an edge, in space along that of the middle of a facet.)
+  not one: they project in directions that differ, in 2-D along a normal
+  that turns along an edge, in 3-D along that of the middle of a facet.)
 - a paraboloid pressed on a half space has the pressure and the area of contact
   that Hertz' theory gives for the force on it, and the pressure falls
   monotonically from the middle;
@@ -20,7 +20,7 @@ Proves that
 - a clamped column below a flat plate, without friction, is refused where it is
   compressed by half as much again as by Euler's load, and not by 0.9 of it;
 - forces and moments of contact balance, and no invariant is violated;
-- what is there in the plane alone is refused.
+- what is there in 2-D alone is refused.
 
 Usage: space.py CONTACT PARAMETERS MESHES
 """
@@ -39,7 +39,7 @@ meshes = pathlib.Path(sys.argv[3]).resolve()
 def extruded():
     """SSNP154: the nodal force of the benchmark at degree 1; at degree 2 it is
     spread over the cap, since points of a mesh file are no mid-side nodes. Both
-    have their pairing to round-off, in the plane by Newton's method, in space by
+    have their pairing to round-off, in 2-D by Newton's method, in 3-D by
     the fixed point: renewed before each step ('each step') it was left with up
     to 2e-8 of the stress, however small the tolerance."""
     depth, force = 5., -17500
@@ -79,7 +79,7 @@ def extruded():
 
 
 def element(nodes):
-    """As the entries have it, in the plane the element of 4, 8 or 9 nodes."""
+    """As the entries have it, in 2-D the element of 4, 8 or 9 nodes."""
     return {"Element/Degree": 1 if nodes == 8 else 2,
             "Element/Centre node": "free" if nodes == 27 else "serendipity"}
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Adaptive refinement in space: a quarter of a round block that is pressed on a
+"""Adaptive refinement in 3-D: a quarter of a round block that is pressed on a
 flat one, with friction.
 
 Proves that at default settings, with elements of degree 1 and 2 and with the mortar

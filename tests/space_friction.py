@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Friction in space: paths that turn, scenes that are turned, balance.
+"""Friction in 3-D: paths that turn, scenes that are turned, balance.
 
 Proves that
 
@@ -11,7 +11,7 @@ Proves that
 - a punch of square section that is pressed on a block and dragged across it, with
   large displacements, does the same when the scene is turned by 30 degrees about
   all axes, to 1e-9: nodal and mortar discretization, degree 1 and 2;
-- the plate of SSNV128 (lift-off, slip and stick on a rigid plane) has in space the
+- the plate of SSNV128 (lift-off, slip and stick on a rigid plane) has in 3-D the
   displacements of the plane scene to 1e-10;
 - a block that slides far over the facets of a finer one has the same reactions by
   CHOLMOD, AMG and GMG, to 1e-8: the couplings of the matrix have room for what the
@@ -346,7 +346,7 @@ def plate():
         converged("plate of SSNV128", status, summary, said)
     space, plane = (probes(summary) for _, _, summary in scenes)
     worst = max(abs(space[name] / plane[name] - 1) for name in plane)
-    check("  in space as in the plane", worst < 1e-10, worst)
+    check("  in 3-D as in 2-D", worst < 1e-10, worst)
 
 
 def slide():

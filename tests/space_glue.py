@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Glue, and contact that sticks, in space: patch tests on coarse surfaces whose
+"""Glue, and contact that sticks, in 3-D: patch tests on coarse surfaces whose
 meshes do not match.
 
 Proves that displacements are linear as the supports prescribe it
 
 - where supports hold all nodes of a slave that is coarser than its master, and in
-  the plane its ends;
+  2-D its ends;
 - of three blocks that are glued on three surfaces, two of which have a slave in
   common, and of the same blocks with friction, all of it sticking;
 
@@ -70,7 +70,7 @@ def held_rim():
 
 
 def held_ends():
-    """The same in the plane."""
+    """The same in 2-D."""
     mesh = Mesh()
     mesh.block("A", 5, 2, box(0, 0, 4, 1), {
         "bottom": "A_b", "left": "A_l", "right": "A_r", "top": "A_t"})

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Patch tests of contact in space.
+"""Patch tests of contact in 3-D.
 
 Proves that two blocks whose meshes do not match, in a scene that is turned by odd
 angles about all axes, with elements of 8, 20 and 27 nodes and either side as

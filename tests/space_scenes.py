@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Scenes in space that are turned about all axes, for the scripts beside this
+"""Scenes in 3-D that are turned about all axes, for the scripts beside this
 one: rotations, supports that hold rigid motions alone, loads of a uniform
 stress, and the loads that complete a pressure where two surfaces overlap in
 part."""

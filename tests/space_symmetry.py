@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Contact in space on planes of symmetry, and where a slave faces the master in
+"""Contact in 3-D on planes of symmetry, and where a slave faces the master in
 part.
 
 Proves that

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// Tangents of contact in space, for both discretizations and degrees:
+// Tangents of contact in 3-D, for both discretizations and degrees:
 //  - the matrix of the contact points, over displacements and multipliers, is
 //    the derivative of their residual: open, in contact, sticking, and slipping
 //    in any direction with a bound that moves and with one that does not;

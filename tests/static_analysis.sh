@@ -15,7 +15,7 @@ shift
   "$root"/include/*/*/*.cc
 status=0
 
-# clang can not read the headers that GCC has precompiled: they are named in the
+# clang cannot read the headers that GCC has precompiled: they are named in the
 # commands of a build with them, so this one is without.
 cmake -S "$root" -B "$directory" -G Ninja -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON \

@@ -125,7 +125,7 @@ namespace Tests
 
 
 
-  /// A place in the plane for every place in the unit square.
+  /// A place in 2-D for every place in the unit square.
   using Chart = std::function<Point<2>(const double s, const double t)>;
 
   inline Chart rectangle(const Point<2> &low, const Point<2> &high)

@@ -3,7 +3,7 @@
 """Thermal strains, run by the program.
 
 Proves that free bodies swell without stress, held ones have Hooke's stress, in
-plane strain, as rings, in space, in large displacement, neo-Hookean (nearly
+plane strain, as rings, in 3-D, in large displacement, neo-Hookean (nearly
 incompressible as well) and yielding;
 a ring that shrinks on a disc has the pressure of a press fit; a strip of two
 bodies bends as Timoshenko's; energies balance, on two processes and restarted.
@@ -110,7 +110,7 @@ def bars():
               "Solids/Young's modulus": "A: 3", "Solids/Poisson's ratio":
               "A: 0.4999", "Solution/Increments": 1}
     for ranks in (1, 2):
-        compare("free rubber in space", {**space, **rubber},
+        compare("free rubber in 3-D", {**space, **rubber},
                 {"x": 3 * e, "y": 2 * e, "xx": 0}, ranks=ranks)
     compare("free rubber disc", {**disc, **rubber},
             {"x": 3 * e, "y": 2 * e, "xx": 0, "zz": 0})

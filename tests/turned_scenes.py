@@ -9,7 +9,7 @@ Proves that what a rigid rotation may not change stays:
   restart;
 - pressure and shear of glued surfaces, in probes, the summary and the profile;
 
-and that the rotation of a rigid boundary goes on beyond half a turn, in space as
+and that the rotation of a rigid boundary goes on beyond half a turn, in 3-D as
 well, and the moment
 of an obstacle is that of the forces on the body, across an interference as well.
 

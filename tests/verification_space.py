@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Contact of round bodies in space against closed forms.
+"""Contact of round bodies in 3-D against closed forms.
 
 Proves that, in the cases of parameters/verification/3d,
 
@@ -344,7 +344,7 @@ def write(path):
                 f"{exact:.6g} | {error:.2g} | "
                 f"{'-' if bar is None else f'{bar:.2g}'} |"
                 for case, quantity, value, exact, error, bar in mine])
-    title = ("# Contact of round bodies in space against closed forms\n\n"
+    title = ("# Contact of round bodies in 3-D against closed forms\n\n"
              "`tests/verification_space.py build/contact parameters meshes "
              "--full \\\n--write tests/study/results/verification_space.md`, or "
              "case by case with `--case`\n\nThe cases are those of "

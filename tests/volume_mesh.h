@@ -19,7 +19,7 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// A place in space for every place in the unit cube.
+  /// A place in 3-D for every place in the unit cube.
   using VolumeChart = std::function<Point<3>(const Point<3> &)>;
 
   inline VolumeChart box(const Point<3> &low, const Point<3> &high)

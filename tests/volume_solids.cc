@@ -243,7 +243,7 @@ namespace
 
 
 
-  // The same distorted mesh in the plane, and as a layer held in z.
+  // The same distorted mesh in 2-D, and as a layer held in z.
   void plane_strain()
   {
     headline("A layer held in z");

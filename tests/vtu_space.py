@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The result files in space, seen by VTK.
+"""The result files in 3-D, seen by VTK.
 
 Proves of the cap of a hollow sphere that is pressed on a block or a plane and
 dragged, of linear and quadratic elements, on one process and on two, that VTK's
@@ -220,7 +220,7 @@ def check_surface(grid, degree, summary, with_block):
         return
     # On a plane the normal is that of the plane, and pressures and shears are
     # weighted with the area of the sphere.
-    check("shear in the plane", all(abs(shear.GetComponent(i, 2)) <=
+    check("shear in 2-D", all(abs(shear.GetComponent(i, 2)) <=
                                     SINGLE * largest for i in range(n)))
     probes = {p["name"]: p["value"] for p in summary["probes"]}
     for name, array, component, sign in (("x", shear, 0, 1), ("y", shear, 1, 1),

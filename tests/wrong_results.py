@@ -1014,7 +1014,7 @@ def approached():
 
 def through():
     """A plate and a circle are pushed into a block by more than they are thick, and
-    a sphere in space."""
+    a sphere in 3-D."""
     mesh = Mesh()
     mesh.block("B", 12, 6, box(-3, 0, 3, 3), {"bottom": "Sole", "top": "Head"})
     mesh.write("through")

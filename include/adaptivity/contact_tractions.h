@@ -89,7 +89,7 @@ namespace Contact
     const DeformedSurface<dim>             slave_now;
     std::map<FacetName<dim>, unsigned int> slave_facets, master_facets;
 
-    /// In the plane (p, q), in space the traction on the slave.
+    /// In 2-D (p, q), in 3-D the traction on the slave.
     std::vector<Tensor<1, dim>> at_nodes;
   };
 } // namespace Contact

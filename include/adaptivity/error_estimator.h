@@ -28,13 +28,13 @@ namespace Contact
    *               h/E integral over the facet of |s* n - t|^2,
    *
    * D^-1 the compliance, in the plane that of plane strain, E Young's modulus,
-   * h the size of the facet, in the plane an edge. The traction t is that of
+   * h the size of the facet, in 2-D an edge. The traction t is that of
    * contact on slave and master, and zero elsewhere; components that a support
    * holds are left out. The second term is what lets the estimate see contact:
    * s* is an average over the cells of one body and knows nothing of the
    * pressure, which comes from the other.
    *
-   * All values are squares, [N mm per mm of thickness; in space N mm]: they add
+   * All values are squares, [N mm per mm of thickness; in 3-D N mm]: they add
    * up to eta^2,
    * of which deal.II's GridRefinement takes a fraction by default. eta itself,
    * the square root of the sum, is the error in the norm of the energy. With
@@ -42,7 +42,7 @@ namespace Contact
    * With degree 2 the recovered stress, linear in a cell, is only of the order
    * of the element's own: eta falls as fast as the error, but is 0.4 (9-node
    * quadrangles) to 0.65 (triangles) of it. It still tells where to refine. In
-   * space it is alike.
+   * 3-D it is alike.
    *
    * Nodal forces: their energy is infinite, and no mesh
    * resolves them. Cells of the coarse mesh that touch a vertex with a nodal

@@ -171,7 +171,7 @@ namespace Contact
   void check_adaptive(const Mesh<dim> &mesh)
   {
     if (!mesh.has_only_hypercubes())
-      throw InputError("the mesh has triangles, and can not be refined "
+      throw InputError("the mesh has triangles, and cannot be refined "
                        "adaptively",
                        "entry 'Refinement/Strategy'",
                        "set 'Strategy = uniform', or take a mesh of "

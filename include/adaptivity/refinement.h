@@ -12,7 +12,7 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// Throw InputError if the mesh can not be refined cell by cell: deal.II can
+  /// Throw InputError if the mesh cannot be refined cell by cell: deal.II can
   /// not do so with triangles.
   template<int dim>
   void check_adaptive(const Mesh<dim> &mesh);

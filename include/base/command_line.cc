@@ -16,7 +16,7 @@ namespace Contact
   void print_help(std::ostream &out)
   {
     out
-      << R"(Frictional contact of two deformable bodies in the plane, with axisymmetry, and in space.
+      << R"(Frictional contact of two deformable bodies in 2-D, with axisymmetry, and in 3-D.
 
 usage: contact FILE [MORE ...] [options]
 
@@ -32,7 +32,7 @@ FILE is a parameter file, NAME.prm or NAME.json.
 
 Results are written to output/<name of the file>/.
 Exit status: 0 all values within their tolerances, 1 one outside or an
-invariant violated, 2 the input is wrong or results can not be written,
+invariant violated, 2 the input is wrong or results cannot be written,
 3 a case did not converge, 4 an error of the program itself, 5 interrupted.
 Environment: OPENBLAS_NUM_THREADS, threads of the direct solvers (1 by ./run),
 and what Open MPI knows.

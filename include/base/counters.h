@@ -48,7 +48,7 @@ namespace Contact
     unsigned long active_set_changes = 0; // Newton steps after which a point
                                           // changes its status
     unsigned long tangential_rows  = 0;   // slip conditions put up
-    unsigned long slip_stiffnesses = 0;   // made by this process, in space
+    unsigned long slip_stiffnesses = 0;   // made by this process, in 3-D
     unsigned long obstacle_moves =
       0;                             // given or free, by obstacle and increment
     unsigned long free_motions  = 0; // solved for, in each linear system

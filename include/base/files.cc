@@ -30,7 +30,7 @@ namespace Contact
       !error && static_cast<bool>(std::ofstream(probe) << std::flush);
     std::filesystem::remove(probe, error);
     if (!writable)
-      throw InputError("the output directory can not be created or written to",
+      throw InputError("the output directory cannot be created or written to",
                        directory.string(),
                        "set Output/Directory to a place where you may write");
   }
@@ -59,7 +59,7 @@ namespace Contact
     if (!out || error)
       {
         std::filesystem::remove(part, error);
-        throw InputError("the file can not be written",
+        throw InputError("the file cannot be written",
                          file.string(),
                          "make room on the disk, or set Output/Directory to a "
                          "place where you may write");

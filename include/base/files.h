@@ -25,7 +25,7 @@ namespace Contact
   /**
    * Write a file by @p write, under another name until it is complete: an
    * interrupted run leaves the file of before or the new one, never half of
-   * it. Throws InputError if it can not be written.
+   * it. Throws InputError if it cannot be written.
    */
   void write_file(const std::filesystem::path               &file,
                   const std::function<void(std::ostream &)> &write);

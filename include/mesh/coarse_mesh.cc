@@ -15,8 +15,8 @@ namespace Contact
 {
   namespace
   {
-    /// A face of a cell by its vertices, in ascending order: an edge in the
-    /// plane, a quadrangle in space.
+    /// A face of a cell by its vertices, in ascending order: an edge in
+    /// 2-D, a quadrangle in 3-D.
     using Face = std::vector<unsigned int>;
 
     using Corners = decltype(CellData<2>::vertices);

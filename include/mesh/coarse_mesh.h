@@ -31,11 +31,11 @@ namespace Contact
   {
     std::vector<Point<dim>>    vertices;
     std::vector<CellData<dim>> cells; // corners in gmsh's order, right-handed
-    SubCellData                faces; // and curves in space, with ids
+    SubCellData                faces; // and curves in 3-D, with ids
     MidSides<dim>              mid_sides; // of elements of second order
 
     std::map<std::string, std::set<types::boundary_id>> boundaries;
-    std::map<std::string, std::set<types::boundary_id>> curves; // in space
+    std::map<std::string, std::set<types::boundary_id>> curves; // in 3-D
     std::map<std::string, unsigned int>                 points;
 
     /// The groups that have faces inside of bodies.

@@ -19,7 +19,7 @@ namespace Contact
    * The meshes of a geometric multigrid: each cell is one of the next finer
    * mesh, or the parent of such cells. The first ones are made by coarsening a
    * copy of the finest mesh. After that a mesh which is refined in all cells is
-   * kept as the next of them: a copy of a quarter (in space an eighth) of the
+   * kept as the next of them: a copy of a quarter (in 3-D an eighth) of the
    * new mesh instead of all of it, and nothing has to be coarsened, which on
    * several ranks takes as long as on one.
    */

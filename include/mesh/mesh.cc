@@ -86,7 +86,7 @@ namespace Contact
 
 
 
-    /// Put the vertices where they belong; one that two bodies share can not
+    /// Put the vertices where they belong; one that two bodies share cannot
     /// move with both.
     template<int dim>
     void place_vertices(const Placement<dim> &placement,

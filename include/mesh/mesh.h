@@ -25,8 +25,8 @@ namespace Contact
 
   struct MshFile;
 
-  /// A mesh in the plane was asked for, and the file has volumes: the scene is
-  /// one in space.
+  /// A mesh in 2-D was asked for, and the file has volumes: the scene is
+  /// one in 3-D.
   struct MeshOfVolumes
   {
   };
@@ -65,7 +65,7 @@ namespace Contact
   public:
     /**
      * Read a gmsh file in MSH format 2.2 or 4.1, ASCII, with physical names.
-     * Quadrangles and triangles may be mixed, in space there are hexahedra; of
+     * Quadrangles and triangles may be mixed, in 3-D there are hexahedra; of
      * elements of second order only the corners are used; left-handed cells are
      * turned round; faces inside a body are ignored. Bodies are moved and the
      * whole is placed, round boundaries get their manifold, then the mesh is
@@ -96,7 +96,7 @@ namespace Contact
     std::map<std::string, types::material_id>           bodies;
     std::map<std::string, std::set<types::boundary_id>> boundaries;
 
-    /// In space, of edges of cells.
+    /// In 3-D, of edges of cells.
     std::map<std::string, std::set<types::boundary_id>> curves;
 
     /// The groups of faces that bound bodies in part only.

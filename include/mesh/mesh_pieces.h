@@ -21,7 +21,7 @@ namespace Contact
 
   /**
    * The pieces that the bodies of a mesh consist of: cells of one body that
-   * are connected through common edges, in space common faces. Such a piece
+   * are connected through common edges, in 3-D common faces. Such a piece
    * moves as one rigid body, whatever the other pieces of its body do. They are
    * found on the coarse mesh, which all ranks have; a cell belongs to the piece
    * of its coarse ancestor.

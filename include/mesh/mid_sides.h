@@ -15,7 +15,7 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// The middle of an edge or, in space, of a face, by its vertices in
+  /// The middle of an edge or, in 3-D, of a face, by its vertices in
   /// ascending order.
   template<int dim>
   using MidSides = std::map<std::vector<unsigned int>, Point<dim>>;

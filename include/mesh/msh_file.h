@@ -40,7 +40,7 @@ namespace Contact
       , input(file)
     {
       if (!input)
-        throw InputError("the mesh file can not be opened",
+        throw InputError("the mesh file cannot be opened",
                          file,
                          "check the name and the permissions of the file; a "
                          "relative name is relative to the parameter file, "

@@ -16,7 +16,7 @@ namespace Contact
 
   /**
    * Make the boundaries that the parameters name round, whose faces are
-   * straight: arcs of circles, in space parts of spheres, cylinders, cones and
+   * straight: arcs of circles, in 3-D parts of spheres, cylinders, cones and
    * tori. A surface belongs to the body that it bounds, and moves with it.
    * All other sides of cells go through their @p mid_sides, if there are any.
    * Throws InputError if a vertex is not on its surface, or a mid-side node is

@@ -19,7 +19,7 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * A surface of revolution in space that boundaries lie on. It answers with
+   * A surface of revolution in 3-D that boundaries lie on. It answers with
    * the closest of its points.
    */
   struct RoundSurface

@@ -19,8 +19,8 @@ namespace Contact
   using namespace dealii;
 
   /// The fields of the file of the slave surfaces, a name for each component:
-  /// displacement and gap, shear and slip (vectors in space, along t in the
-  /// plane), pressure and status.
+  /// displacement and gap, shear and slip (vectors in 3-D, along t in
+  /// 2-D), pressure and status.
   template<int dim>
   const std::vector<std::string> &contact_fields();
 

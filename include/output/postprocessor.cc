@@ -33,8 +33,7 @@ namespace Contact
       for (const std::string &point : probe.places)
         {
           if (dim == 2 && is_in_space(probe.quantity))
-            throw InputError("there is no " + probe.quantity.name() +
-                               " in the plane",
+            throw InputError("there is no " + probe.quantity.name() + " in 2-D",
                              "Probes/Probes, '" + name + "'",
                              "remove the probe, or mesh volumes");
           if (is_force(probe.quantity))

@@ -34,10 +34,10 @@ namespace Contact
     double shear       = 0; // multiplier; on the slave along t [MPa]
     double nodal_force = 0; // normal force [N per mm of thickness]
     double gap         = 0; // [mm], negative: penetration
-    double slip        = 0; // of this increment [mm]; in space, like shear,
+    double slip        = 0; // of this increment [mm]; in 3-D, like shear,
                             // the magnitude
 
-    /// In space shear and slip as vectors.
+    /// In 3-D shear and slip as vectors.
     Tensor<1, dim> shear_vector, slip_vector;
 
     /// 0 open, 1 slip, 2 stick; -1: nothing can touch here, because the node
@@ -97,7 +97,7 @@ namespace Contact
    * nodal force is the sum over the points of what they put on the node, w p
    * times the node's share.
    *
-   * In the plane the rows begin at the last node of the master, and so do the
+   * In 2-D the rows begin at the last node of the master, and so do the
    * arc lengths: two surfaces that face each other run in opposite directions,
    * because each has its body to the left, and the profiles shall run alike.
    */

@@ -42,7 +42,7 @@ namespace Contact
       return surface.arc_length(x);
     }
 
-    /// Surfaces in space have none.
+    /// Surfaces in 3-D have none.
     std::vector<double> arc_lengths(const Surface<3> &,
                                     const std::vector<Point<3>> &x)
     {

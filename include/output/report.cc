@@ -52,7 +52,7 @@ namespace Contact
     const bool goes_on =
       std::filesystem::exists(result_files->directory / "restart.bin") &&
       parameters.restart;
-    // A scene that can not be set up has its message already.
+    // A scene that cannot be set up has its message already.
     if (summary.message.empty())
       summary.message = "the run has not ended";
     if (goes_on)

@@ -62,9 +62,9 @@ namespace Contact
 
     /**
      * Write contact_000k.vtu of increment @p k, and contact.pvd anew: the
-     * facets of the slave surfaces, in space at their degree, with
+     * facets of the slave surfaces, in 3-D at their degree, with
      * displacement, pressure, shear, gap, slip and status of their rows; shear
-     * and slip are vectors in space.
+     * and slip are vectors in 3-D.
      */
     void write_contact(const unsigned int                   k,
                        const double                         load_factor,

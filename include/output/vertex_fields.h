@@ -32,7 +32,7 @@ namespace Contact
                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                  const std::vector<double>                &plastic_strains);
 
-    /// Attach stress_xx, _yy, _zz, _xy, in space _xz and _yz, and von_mises
+    /// Attach stress_xx, _yy, _zz, _xy, in 3-D _xz and _yz, and von_mises
     /// [MPa] of these at all nodes of the bodies, and plastic_strain if there
     /// is one, to @p data_out, which must not outlive this object.
     void attach(DataOut<dim> &data_out) const;

@@ -18,7 +18,7 @@ namespace Contact
   /**
    * A formula of the user's, as a function of its variables, whose names are
    * separated by commas: what deal.II's FunctionParser understands, with pi.
-   * Throws std::runtime_error with the reason if it can not be read, and the
+   * Throws std::runtime_error with the reason if it cannot be read, and the
    * function an InputError that names the @p entry where its value is no number
    * or infinite, as of sqrt(-1) or 1/0.
    */

@@ -58,7 +58,7 @@ namespace Contact
                          {entry},
                          "write 'half plane: x, y, normal x, normal y' or "
                          "'circle: x, y, radius', in a hole a negative "
-                         "radius; in space 'half space: x, y, z, normal x, "
+                         "radius; in 3-D 'half space: x, y, z, normal x, "
                          "normal y, normal z', 'sphere: x, y, z, radius' or "
                          "'cylinder: x, y, z, axis x, axis y, axis z, "
                          "radius'; or 'profile: x, y, radius, x, y, radius, "
@@ -67,7 +67,7 @@ namespace Contact
 
 
 
-    // A MovingObstacle knows what there is in the plane and in space.
+    // A MovingObstacle knows what there is in 2-D and in 3-D.
     void Contact::check_obstacle_motion() const
     {
       const std::string entry = section() + "/Obstacle motion";
@@ -76,7 +76,7 @@ namespace Contact
           if (name != "x" && name != "y" && name != "z" && name != "angle")
             throw EntryError(in_quotes(name) + " is no motion.",
                              {entry},
-                             "there are 'x', 'y', 'angle' and in space 'z'");
+                             "there are 'x', 'y', 'angle' and in 3-D 'z'");
           check_history(history, entry);
         }
       if (tied && !obstacle_motion.empty())
@@ -114,7 +114,7 @@ namespace Contact
         if (std::set<std::string>{"x", "y", "z"}.count(axis) == 0)
           throw EntryError(in_quotes(axis) + " is no force.",
                            {force},
-                           "there are 'x', 'y' and in space 'z'; the moment "
+                           "there are 'x', 'y' and in 3-D 'z'; the moment "
                            "has the entry " +
                              in_quotes(moment));
         else

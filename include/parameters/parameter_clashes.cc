@@ -230,7 +230,7 @@ namespace Contact
       if (solution.linear_solver != SolverKind::automatic &&
           solution.linear_solver != SolverKind::umfpack)
         throw EntryError("A saddle point system is not positive definite: " +
-                           solution.linear_solver.name() + " can not solve it.",
+                           solution.linear_solver.name() + " cannot solve it.",
                          {solver_entry, system_entry},
                          "set 'Linear solver = UMFPACK', or 'System = "
                          "condensed'");
@@ -254,7 +254,7 @@ namespace Contact
       if (const auto shared = shared_pair())
         throw EntryError(
           "The multipliers of the discretization " +
-            shared->discretization.name() + " can not be eliminated: " +
+            shared->discretization.name() + " cannot be eliminated: " +
             (solution.linear_solver == SolverKind::automatic
                ? "a condensed system"
                : solution.linear_solver.name()) +

@@ -111,7 +111,7 @@ namespace Contact
       /// The mesh has volumes, which its file tells.
       bool in_space = false;
 
-      /// The same case in space. Throws InputError where an entry is one for
+      /// The same case in 3-D. Throws InputError where an entry is one for
       /// the plane.
       All for_space() const;
 

@@ -100,7 +100,7 @@ namespace Contact
         "2 [-]; serendipity: half the sum of the mid-sides minus a "
         "quarter of the sum of the corners (8-node element; of a hexahedron, "
         "whose sides it holds for as well, the 20-node element), "
-        "free: an unknown (9-node, in space 27-node element).");
+        "free: an unknown (9-node, in 3-D 27-node element).");
       prm.leave_subsection();
     }
 
@@ -400,14 +400,14 @@ namespace Contact
         "A rigid master without a mesh, instead of Master "
         "[mm]: 'half plane: x, y, normal x, normal y', a point "
         "and the outward normal, or 'circle: x, y, radius', "
-        "negative for a hole; in space 'half space: x, y, z, "
+        "negative for a hole; in 3-D 'half space: x, y, z, "
         "normal x, normal y, normal z', 'sphere: x, y, z, "
         "radius', 'cylinder: x, y, z, axis x, axis y, axis z, "
         "radius'; in both 'profile: x, y, radius, x, y, "
-        "radius, ...', a line in the plane with rounded "
+        "radius, ...', a line in 2-D with rounded "
         "corners and the obstacle on its left, closed if it ends "
         "where it begins, else its ends have the radius 0 and "
-        "go on for ever; in space along z.");
+        "go on for ever; in 3-D along z.");
       prm.add_parameter("Obstacle motion",
                         obstacle_motion,
                         "How the obstacle moves: 'x: formula; y: formula; z: "
@@ -422,19 +422,19 @@ namespace Contact
                                       ";"));
       prm.add_parameter("Obstacle centre",
                         obstacle_centre,
-                        "The point x, y, in space x, y, z, that the obstacle "
+                        "The point x, y, in 3-D x, y, z, that the obstacle "
                         "turns about, and its moments are about [mm]. Empty: "
                         "the point that Obstacle begins with.");
       prm.add_parameter("Obstacle axis",
                         obstacle_axis,
-                        "In space the direction x, y, z of the axis that the "
+                        "In 3-D the direction x, y, z of the axis that the "
                         "obstacle turns about [-]. Empty: that of a cylinder.");
       prm.add_parameter("Obstacle force",
                         obstacle_force,
                         "Motions of the obstacle that follow from what it "
                         "exerts on the slave: 'x: formula; y: formula; z: "
                         "formula' [N per mm of thickness, in rings and in "
-                        "space N], as in Obstacle motion, which then does not "
+                        "3-D N], as in Obstacle motion, which then does not "
                         "give them. It moves until it touches.",
                         Patterns::Map(Patterns::Anything(),
                                       Patterns::Anything(),
@@ -444,8 +444,8 @@ namespace Contact
       prm.add_parameter("Obstacle moment",
                         obstacle_moment,
                         "The same of its turn: the moment on the slave about "
-                        "the Obstacle centre, in space about the Obstacle axis "
-                        "[N mm per mm of thickness, in space N mm]; a formula "
+                        "the Obstacle centre, in 3-D about the Obstacle axis "
+                        "[N mm per mm of thickness, in 3-D N mm]; a formula "
                         "in t or a table. Empty: the turn is given.");
       prm.add_parameter("Interference",
                         interference,
@@ -458,7 +458,7 @@ namespace Contact
                         preload,
                         "Of glued surfaces, the two sides of a cut through a "
                         "bolt: the tension in the cut, along its normal [N per "
-                        "mm of thickness, in rings and in space N]; a formula "
+                        "mm of thickness, in rings and in 3-D N]; a formula "
                         "in t or a table. By how much the bolt is shortened "
                         "there follows from it.");
       prm.add_parameter("Preload end",
@@ -513,7 +513,7 @@ namespace Contact
         "lambda - c gap), by the stiffness E/h of the slave's "
         "edge [-]; > 0. Results of the nodal and mortar discretizations "
         "do not depend on it, those of the Gauss-point discretization do. In "
-        "space the default means 1.");
+        "3-D the default means 1.");
       for (const auto &[now, former] :
            {std::make_pair("Discretization", "Rule"),
             std::make_pair("Augmentation parameter", "Complementarity")})

@@ -47,7 +47,7 @@ namespace Contact
    * The parameters of a case, one plain structure per concern. Each structure
    * declares its entries once, in <code>add_parameters</code> (default,
    * pattern, meaning and unit), and checks in <code>check</code> what one
-   * entry alone can not know.
+   * entry alone cannot know.
    *
    * Units: mm, N, MPa = N/mm^2; forces are per mm of thickness (plane strain),
    * which for the thickness 1 mm is the same number, or those of whole rings
@@ -68,7 +68,7 @@ namespace Contact
       /// Boundary group -> {centre x, centre y, radius} [mm].
       std::map<std::string, std::vector<double>> arcs;
 
-      /// The same in space: boundary group -> the numbers of its surface,
+      /// The same in 3-D: boundary group -> the numbers of its surface,
       /// lengths in mm: {centre, radius}; {point and direction of the axis,
       /// radius}; {apex, direction of the axis, angle [degrees]}; {centre,
       /// direction of the axis, radii of ring and tube}.
@@ -208,7 +208,7 @@ namespace Contact
       std::map<std::string, std::string> rigid;
 
       /// Such a group -> prescribed rotation [rad], and dead moment [N mm per
-      /// mm of thickness] at full load; in the plane about z.
+      /// mm of thickness] at full load; in 2-D about z.
       ByDirection<double> rotation, moment;
 
       /// Point group or rigid boundary -> dead force at full load [N per mm of
@@ -274,7 +274,7 @@ namespace Contact
 
       /// The motion of the obstacle: 'x', 'y', 'z' [mm] and 'angle' [degrees]
       /// by histories, see parse_history(); the point that it turns about, and
-      /// in space the direction of the axis there. Empty: those of the shape.
+      /// in 3-D the direction of the axis there. Empty: those of the shape.
       std::map<std::string, std::string> obstacle_motion;
       std::vector<double>                obstacle_centre, obstacle_axis;
 

@@ -105,7 +105,7 @@ namespace Contact
                         "How far conjugate gradients are driven in a Newton "
                         "step, relative to the residual of that [-]; > 0, < "
                         "1. Where bodies yield, and the step will leave more "
-                        "than that, and in contact of linear bodies in space, "
+                        "than that, and in contact of linear bodies in 3-D, "
                         "to 0.01.");
       prm.add_parameter(
         "System",
@@ -123,10 +123,10 @@ namespace Contact
                         "CHOLMOD, AMG (conjugate gradients with smoothed "
                         "aggregation), GMG (with geometric multigrid, and "
                         "without a matrix) or MUMPS [-]; automatic: for "
-                        "condensed systems GMG from 20000 unknowns (in space "
+                        "condensed systems GMG from 20000 unknowns (in 3-D "
                         "5000; in large displacement 100000 and 10000) on if "
                         "the mesh is a refined one and the scene one for it, "
-                        "else CHOLMOD below 100000 (in space "
+                        "else CHOLMOD below 100000 (in 3-D "
                         "10000) on one rank and AMG beyond; for saddle point "
                         "systems UMFPACK below 30000 unknowns, and beyond "
                         "CHOLMOD for the bodies and LAPACK for the contact, if "

@@ -122,7 +122,7 @@ namespace Contact
         }
     }
 
-    /// Whether a quantity is there in space alone.
+    /// Whether a quantity is there in 3-D alone.
     inline bool is_in_space(const Quantity quantity)
     {
       return component_of(quantity) == 2 || quantity == Quantity::stress_xz ||

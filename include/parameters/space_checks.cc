@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// The entries that are for scenes in the plane alone.
+// The entries that are for scenes in 2-D alone.
 
 #include "parameters/parameters.h"
 
@@ -48,15 +48,15 @@ namespace Contact::Parameters
       }
     refuse(asks_for_accuracy(),
            "Probes/Accuracy",
-           "errors of probes are estimated in the plane alone",
+           "errors of probes are estimated in 2-D alone",
            "refine with 'Refinement/Levels'");
     refuse(probes.dual_weighted_residuals,
            "Probes/Dual weighted residuals",
-           "errors of probes are estimated in the plane alone",
+           "errors of probes are estimated in 2-D alone",
            "set 'Estimate errors', which solves on the next mesh");
     refuse(solution.estimate_effects,
            "Solution/Estimate effects",
-           "effects are estimated in the plane alone",
+           "effects are estimated in 2-D alone",
            "compare two runs");
     refuse(!probes.hertz.empty() || !probes.concentric_cylinders.empty(),
            "Probes/Hertz, Probes/Concentric cylinders",
@@ -65,7 +65,7 @@ namespace Contact::Parameters
     All all      = *this;
     all.in_space = true;
 
-    // The solution does not depend on it; in space a small one would let
+    // The solution does not depend on it; in 3-D a small one would let
     // round-off into the residual, times E/h/c.
     const double of_plane = Contact().augmentation_parameter;
     const auto   set      = [&](Contact &pair) {

@@ -221,7 +221,7 @@ namespace Contact
 
   namespace
   {
-    /// The shear at a node of the slave without the force of a corner; in space
+    /// The shear at a node of the slave without the force of a corner; in 3-D
     /// its magnitude.
     template<int dim>
     double shear_of_node(const ContactInterface<dim> &interface,

@@ -21,7 +21,7 @@ namespace Contact
   /// Check that there is one traction of contact at a named point. Throws
   /// InputError with the name of the @p probe and the reason if no slave, or
   /// those of two contact pairs, carry a multiplier there, and for the shear in
-  /// space between nodes, whose directions differ.
+  /// 3-D between nodes, whose directions differ.
   template<int dim>
   void check_contact_traction(const std::string           &probe,
                               const Parameters::Quantity   quantity,

@@ -41,7 +41,7 @@ namespace Contact
     std::vector<types::global_dof_index> dofs;          // (x, y, z) by node
     std::vector<double>                  JxW;           // by point
     Point<dim>                           centre;        // X
-    double                               area;          // in space the volume
+    double                               area;          // in 3-D the volume
     std::vector<Tensor<2, dim>>          gradient_maps; // J^-T by point
     const UnitGradients<dim>            *unit_gradients;
     std::vector<double>                  hoop_gradients; // N_a/X, of rings

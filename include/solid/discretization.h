@@ -57,7 +57,7 @@ namespace Contact
                    const MPI_Comm         communicator = MPI_COMM_SELF);
 
     /// The volume of the body by the area of the plane, at a place X: 1 in
-    /// plane strain and in space, the circumference 2 pi x of its ring with
+    /// plane strain and in 3-D, the circumference 2 pi x of its ring with
     /// axisymmetry [mm].
     double circumference(const Point<dim> &X) const
     {
@@ -97,7 +97,7 @@ namespace Contact
     Distribution                     distribution;
 
     /// Behind the unit N of a force: it is one by thickness, or of a whole
-    /// ring, or in space.
+    /// ring, or in 3-D.
     std::string per_thickness() const
     {
       return axisymmetric || dim == 3 ? "" : "/mm";

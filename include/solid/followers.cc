@@ -32,7 +32,7 @@ namespace Contact
 
     // The centre of a cell follows a free centre of a face by half, as in the
     // transfinite interpolation of the six faces: so a layer of cells has the
-    // displacements of the 8-node element in the plane.
+    // displacements of the 8-node element in 2-D.
     void free_centre_of_face(const unsigned int      face,
                              std::vector<BoundNode> &bound)
     {

@@ -36,7 +36,7 @@ namespace Contact
   template<int dim>
   std::vector<BoundNode> bound_nodes();
 
-  /// Those of a cell; none of a triangle. In space the centre of a face that
+  /// Those of a cell; none of a triangle. In 3-D the centre of a face that
   /// may touch is free: dual functions need one with positive weights, and the
   /// corners of a face of 8 nodes have negative ones. The centre of the cell
   /// follows it by 1/2, less what that face's corners and mid-sides would add.

@@ -40,7 +40,7 @@ namespace Contact
       }
 
       // In plane strain plastic strains leave a stress across the plane that
-      // those in the plane do not tell.
+      // those in 2-D do not tell.
       double energy_density(const SymmetricTensor<2, 3> &stress) const override
       {
         return this->elastic.energy_density(stress);
@@ -92,7 +92,7 @@ namespace Contact
       using typename Integrals::AtPoints;
       using typename Integrals::PointState;
 
-      /// By point the strain in space, the measure of volume and what follows
+      /// By point the strain in 3-D, the measure of volume and what follows
       /// from P d.
       struct States
       {

@@ -23,7 +23,7 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * A boundary that moves as a rigid body, in the plane as part of space:
+   * A boundary that moves as a rigid body, in 2-D as part of space:
    *   u = U + (R - I) (X - P),
    * U the displacement of its point P and R a rotation; of small strain I and a
    * spin. A variation is linear in six numbers, the motions of the boundary,
@@ -32,7 +32,7 @@ namespace Contact
    * follow them: no unknowns are added. Of large displacements the followers go
    * with the next update to where the parents are, on the present tangent.
    *
-   * Forces and moments are forces on three nodes (in the plane two) with this
+   * Forces and moments are forces on three nodes (in 2-D two) with this
    * resultant about P, where it is now.
    */
   template<int dim>
@@ -158,7 +158,7 @@ namespace Contact
     Motion guess(const GhostedVector &u) const;
 
     std::array<bool, 6>       is_missing{};
-    std::vector<unsigned int> frame; // three nodes, in the plane two
+    std::vector<unsigned int> frame; // three nodes, in 2-D two
     std::vector<Leader>       all_leaders;
   };
 } // namespace Contact

@@ -130,7 +130,7 @@ namespace Contact
     //   B_a = [ f11 N,1            f21 N,1
     //           f12 N,2            f22 N,2
     //           f11 N,2 + f12 N,1  f21 N,2 + f22 N,1 ],
-    // in space likewise in the order of Symmetry::components, and the tangent
+    // in 3-D likewise in the order of Symmetry::components, and the tangent
     // of the nodes a and b is
     //   K_ab = B_a^T D B_b + (grad N_a . S grad N_b) I,
     // symmetric: the upper half is computed and mirrored. Of rings E33 varies

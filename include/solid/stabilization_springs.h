@@ -62,7 +62,7 @@ namespace Contact
      * Hold pieces, by piece with a stiffness: under a rigid translation d away
      * from @p rest the springs of the piece exert k d together. Each cell gives
      * its corners equal shares of its part of the volume of the piece. With
-     * theta the mean over a cell of (du_y/dx - du_x/dy)/2, in space of curl
+     * theta the mean over a cell of (du_y/dx - du_x/dy)/2, in 3-D of curl
      * u/2, less that at rest, its part of the moment is kappa theta. A piece
      * that is not named, or without stiffness, is not held. Replaces what held
      * before. Not collective, but has to be the same on all ranks.
@@ -104,8 +104,8 @@ namespace Contact
     /// @p du, in the mean over the cell [rad]. Collective.
     double largest_rotation(const GhostedVector &du) const;
 
-    /// The volume of a piece by its area in the plane [-]; of rings their mean
-    /// circumference [mm]; in space the edge of a cube of that volume [mm].
+    /// The volume of a piece by its area in 2-D [-]; of rings their mean
+    /// circumference [mm]; in 3-D the edge of a cube of that volume [mm].
     double mean_depth(const unsigned int piece) const;
 
   private:

@@ -24,7 +24,7 @@ namespace Contact
   /**
    * That of the displacements @p u: with the strain of Green and Lagrange,
    * E = (F^T F - 1)/2, the hoop strain of rings included. In a plane the
-   * rotation of F is atan2(F_21 - F_12, F_11 + F_22); in space, with the
+   * rotation of F is atan2(F_21 - F_12, F_11 + F_22); in 3-D, with the
    * rotation R next to F, acos((tr R - 1)/2).
    */
   template<int dim>

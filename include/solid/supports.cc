@@ -18,7 +18,7 @@
 
 namespace Contact
 {
-  // The nodes of a point, of a curve in space, or of a boundary. A mesh file
+  // The nodes of a point, of a curve in 3-D, or of a boundary. A mesh file
   // may give points and boundaries the same name.
   template<int dim>
   void Discretization<dim>::visit_group(const unsigned int component,

@@ -43,7 +43,7 @@ namespace Contact
       return row[0] + row[1];
     }
 
-    /// By the stress in the plane alone, which determines that across it.
+    /// By the stress in 2-D alone, which determines that across it.
     static double energy_density(const Material              &material,
                                  const SymmetricTensor<2, 3> &stress)
     {
@@ -83,7 +83,7 @@ namespace Contact
 
 
 
-  /// A body in space: nothing is left out.
+  /// A body in 3-D: nothing is left out.
   struct Space
   {
     static constexpr int  dim      = 3;

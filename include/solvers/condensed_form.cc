@@ -46,7 +46,7 @@ namespace Contact
 
 
 
-  // A bound that follows the pressure does so in between. In space nearly
+  // A bound that follows the pressure does so in between. In 3-D nearly
   // incompressible bodies have forces at the new place that are of second
   // order, and the wrong points would open.
   template<int dim>
@@ -141,7 +141,7 @@ namespace Contact
 
 
 
-  // In space the tangent does not know how the coefficients of a point
+  // In 3-D the tangent does not know how the coefficients of a point
   // change with the way of the nodes around, and the residual falls by the
   // gradients of the displacements at best. Where bodies are linear, and
   // steps cost little else than their solution, two digits serve.
@@ -275,7 +275,7 @@ namespace Contact
         const std::string of =
           MatrixFreeSystem<dim>::refusal(discretization, elasticity);
         if (!of.empty())
-          throw InputError("the multigrid without a matrix does not know "
+          throw InputError("the matrix-free multigrid does not know "
                            "of " +
                              of,
                            "entry Solution/Linear solver = GMG",
@@ -308,7 +308,7 @@ namespace Contact
 
 
 
-  // Where the multigrid without a matrix was the choice of the program and
+  // Where the matrix-free multigrid was the choice of the program and
   // stalls, a solver with a matrix goes on. Of an indefinite matrix in
   // large displacement it is not the solver's fault.
   template<int dim>

@@ -149,7 +149,7 @@ namespace Contact
                   brief(all.magnitude) + unit,
                 "The coefficients of a point do not add up to zero: an error "
                 "of the program.");
-    // The forces on a ring have none in the plane.
+    // The forces on a ring have none in 2-D.
     if (discretization.axisymmetric)
       return;
     const double whole = all.magnitude * all.size;

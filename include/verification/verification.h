@@ -179,7 +179,7 @@ namespace Contact
     /// u [mm] at @p X [mm], of the outer or of the inner body.
     Tensor<1, 2> displacement(const Point<2> &X, const bool outer) const;
 
-    /// The stress [MPa] in the plane at @p X [mm], tension positive.
+    /// The stress [MPa] in 2-D at @p X [mm], tension positive.
     SymmetricTensor<2, 2> stress(const Point<2> &X, const bool outer) const;
 
   private:

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The meshes of the hard cases: in the plane from blocks.geo, pin.geo and
-# pin_whole.geo, in space from tests/hard/space_meshes.py.
+# The meshes of the hard cases: in 2-D from blocks.geo, pin.geo and
+# pin_whole.geo, in 3-D from tests/hard/space_meshes.py.
 # SPDX-License-Identifier: LGPL-2.1-or-later
 set -eu
 cd "$(dirname -- "$0")"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Good files of scenes in space, damaged: as damaged.py, whose options it has.
+"""Good files of scenes in 3-D, damaged: as damaged.py, whose options it has.
 
 Half of the cases are damaged byte by byte, as there; in the others the mesh is
 one that no scene can have, or that a mesh generator may write by mistake: cells

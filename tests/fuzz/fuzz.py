@@ -10,7 +10,7 @@ See scenes.py, space_scenes.py, damaged.py and damaged_space.py. CONTACT may be
 a build with sanitizers, see README.md here. Reports are DIR/scenes.md,
 space_scenes.md, damaged.md, damaged_space.md, and the same as .csv, DIR being
 output/fuzz if not told. Exit status: 0, or 1 if a run
-crashed, hung, was answered badly, or converged to what can not be true, or if
+crashed, hung, was answered badly, or converged to what cannot be true, or if
 less than SHARE of the scenes converged or had a mesh that the program calls too
 coarse (a violated depth).
 """

@@ -514,7 +514,7 @@ def failures(solved, least=0.0):
     meets there (a violated depth)."""
     lines = []
     for scene, result, problems, _ in solved:
-        # The condensed system can not take a slave node that is held in x and
+        # The condensed system cannot take a slave node that is held in x and
         # sticks to a master that is not, and says what can.
         if (result.outcome == "refused" and
                 "is held by a support" in result.message):

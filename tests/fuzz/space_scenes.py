@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Random scenes of two bodies in space, solved and checked: as scenes.py, whose
+"""Random scenes of two bodies in 3-D, solved and checked: as scenes.py, whose
 options it has. What has converged is checked by space_verify.py."""
 import collections
 import itertools
@@ -78,7 +78,7 @@ class ShuffledVolumes(Volumes):
 
 
 class SpaceScene(scenes.Scene):
-    """Everything about a scene in space; all of it follows from the seed."""
+    """Everything about a scene in 3-D; all of it follows from the seed."""
 
     FEATURES = ("shape", "slave", "rule", "friction", "friction_solver",
                 "degree", "kinematics", "geometry", "solver", "support",

@@ -1,4 +1,4 @@
-"""Whether results of a scene in space can be true: as verify.py, from the nodes
+"""Whether results of a scene in 3-D can be true: as verify.py, from the nodes
 of both surfaces in profile.csv and all nodes in nodes.csv.
 
 Penetration of a slave node is its vertical distance from the deformed master,
@@ -52,7 +52,7 @@ def cross(a, b):
 def problems(scene, directory, summary):
     """What is wrong with the results; nothing, if all is well."""
     if summary is None:
-        return ["summary.json can not be read"]
+        return ["summary.json cannot be read"]
     found = ["not a number in summary.json: " + path
              for path in verify.not_numbers(summary, [])]
     if not summary["converged"]:
@@ -61,7 +61,7 @@ def problems(scene, directory, summary):
         profile = rows_of(directory, scene, "profile.csv")
         nodes = rows_of(directory, scene, "nodes.csv")
     except (OSError, ValueError) as error:
-        return found + ["results can not be read: %s" % error]
+        return found + ["results cannot be read: %s" % error]
     if any(not math.isfinite(v) for row in profile + nodes
            for v in row.values() if not isinstance(v, str)):
         return found + ["not a number in profile.csv or nodes.csv"]
@@ -194,7 +194,7 @@ def check_penetration(scene, slave, master):
             lowest = min(lowest, up * height)
             moment += row["nodal_force_N"] * min(0., up * height)
             force += row["nodal_force_N"]
-    # With mortar in the mean over the forces, as in the plane.
+    # With mortar in the mean over the forces, as in 2-D.
     if rule == "mortar":
         lowest = moment / force if force > 0 else 0.
     allowed = PENETRATION[rule] * largest + warp + 1e-9 * scene.size

@@ -101,7 +101,7 @@ def not_numbers(summary, found, path=""):
 def problems(scene, directory, summary):
     """What is wrong with the results; nothing, if all is well."""
     if summary is None:
-        return ["summary.json can not be read"]
+        return ["summary.json cannot be read"]
     found = ["not a number in summary.json: " + path
              for path in not_numbers(summary, [])]
     if not summary["converged"]:
@@ -109,7 +109,7 @@ def problems(scene, directory, summary):
     try:
         slave, master = rows_of(directory, scene)
     except (OSError, ValueError) as error:
-        return found + ["profile.csv can not be read: %s" % error]
+        return found + ["profile.csv cannot be read: %s" % error]
     if any(not math.isfinite(v) for row in slave + master
            for v in row.values()):
         return found + ["not a number in profile.csv"]

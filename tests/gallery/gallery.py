@@ -8,7 +8,7 @@ CONTACT is the program; it computes the cases into DIR (output/gallery), the
 pictures go to results beside this file. VTK draws the bodies, gnuplot the
 curves; convergence is that of the study, from its results. VTK of Debian
 (python3-vtk9) draws on X only: xvfb-run gallery.py ..., as ./run gallery does.
-With --coarse the scene in space is not refined, and the roller takes fewer
+With --coarse the scene in 3-D is not refined, and the roller takes fewer
 increments. Exit status: 0, 1 if a case or a
 picture has failed.
 """

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The views of a case in ParaView: von Mises stress on the deformed bodies, the
 mesh at the contact with the pressure on the slave, the pressure over the arc
-beside the exact one where theory knows it, shear and slip. Of a case in space:
+beside the exact one where theory knows it, shear and slip. Of a case in 3-D:
 the bodies clipped by a plane through the contact, the mesh on this cut, the
 pressure on the slave, and its status with the shear as arrows.
 
@@ -195,7 +195,7 @@ def contact_box(directory):
 
 
 def look(view, centre, direction, up, half):
-    """A view in space at a place, from a direction, of a window about it."""
+    """A view in 3-D at a place, from a direction, of a window about it."""
     view.InteractionMode = "3D"
     view.CameraParallelProjection = 1
     view.CameraFocalPoint = centre
@@ -232,7 +232,7 @@ def show_status(surface, view, longest, half):
 
 
 def space_views(directory):
-    """The layout of a case in space, and the largest pressure."""
+    """The layout of a case in 3-D, and the largest pressure."""
     bodies, surface = moved(directory, "bodies"), moved(directory, "contact")
     low, high, largest, longest = contact_box(directory)
     centre = [(a + b) / 2 for a, b in zip(low, high)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pictures of a scene in space that is cut in its plane of symmetry y = 0: the
+"""Pictures of a scene in 3-D that is cut in its plane of symmetry y = 0: the
 cut faces the viewer, and surfaces of contact are mirrored in it."""
 
 from __future__ import annotations

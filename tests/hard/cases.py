@@ -22,12 +22,12 @@ class Case:
     other cases it has to be positive, or nothing was proved.
     frictionless: has no friction, so the loops of it are one.
     lift: the sum of the reactions along z at the end, by statics [N].
-    full_slip: the coefficient of friction, in space where all of the surface
+    full_slip: the coefficient of friction, in 3-D where all of the surface
     slips: the tangential force is that times the normal force, within 1 %
     (shears of one direction add up, and those of nodes differ by a little).
     unsolved: the rules that are known not to converge; the file says why.
     quick: part of --quick.
-    Cases in space are named space_...; the Gauss-point rule is refused there.
+    Cases in 3-D are named space_...; the Gauss-point rule is refused there.
     """
 
     def __init__(self, name, same=None, tolerance=1e-8, lengths=1.0, forces=1.0,

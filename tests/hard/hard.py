@@ -14,7 +14,7 @@ Usage: hard.py [--quick] [--required] [--output DIRECTORY] [--jobs N]
 
 --quick     few cases, required rows only
 --required  all cases, required rows only
---plane, --space  only the cases in the plane, only those in space
+--plane, --space  only the cases in 2-D, only those in 3-D
 --table     print the tables of the pages, and the progress to stderr
 CASE        these cases only (and those they are compared with)
 """
@@ -307,7 +307,7 @@ def print_tables(rows, cases):
                     n, sum(row["message"] == HANDED_OVER for row in some),
                     len(states) - n - refused, refused))
             print("| " + " | ".join(
-                [rule + (", in space" if space else ""), kinematics] + cells) +
+                [rule + (", in 3-D" if space else ""), kinematics] + cells) +
                 " |")
     print("\nWithout friction: under \"%s\". What does not converge, or is refused "
           "(once for each reason):\n" % FRICTION[0])

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The meshes of the hard cases in space: parameters/hard/meshes.sh calls it.
+"""The meshes of the hard cases in 3-D: parameters/hard/meshes.sh calls it.
 
 Usage: space_meshes.py DIRECTORY
 """

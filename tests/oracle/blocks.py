@@ -5,7 +5,7 @@ The energy of a body is the integral of
 over the undeformed volume, E the linear or Green's strain with the hoop strain
 of rings in it, P the identity or the projection of each cell onto the mean
 (degree 2, quadrangles: onto 1, xi, eta, hexahedra: and zeta). Forces are its
-derivatives, in N per mm of thickness, of whole rings and in space in N."""
+derivatives, in N per mm of thickness, of whole rings and in 3-D in N."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Slips of the mortar discretization in the plane (degree 1): weighted by dual
+"""Slips of the mortar discretization in 2-D (degree 1): weighted by dual
 functions, of what the master covers of each edge.
 
 A force lambda_k on the dual function Phi_k of a node acts on the slave's node a

@@ -1,5 +1,5 @@
 """A small finite element code, plane strain and axisymmetric, degree 1 and 2;
-blocks of elements (blocks.py, law_block.py) also in space (space_fem.py)."""
+blocks of elements (blocks.py, law_block.py) also in 3-D (space_fem.py)."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import warnings
 
@@ -29,7 +29,7 @@ class Model:
         cells = mesh.cells
         if self.degree == 2:
             cells = self.add_middles(mesh, cells)
-        # Degrees of freedom that follow others: in space.
+        # Degrees of freedom that follow others: in 3-D.
         self.bound = np.zeros(self.X.shape, bool)
         self.lines = {name: self.complete(lines)
                       for name, lines in mesh.lines.items()}

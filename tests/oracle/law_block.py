@@ -45,7 +45,7 @@ class LawBlock(blocks.Block):
                 self.gradient(u[self.cells])), self.history)
 
     def gradient(self, v):
-        """Of displacements (cells, nodes, dim), in space."""
+        """Of displacements (cells, nodes, dim), in 3-D."""
         H = np.zeros(self.w.shape + (3, 3), v.dtype)
         H[..., :self.dim, :self.dim] = np.einsum("eai,eqaj->eqij", v, self.dN)
         if self.hoop is not None:

@@ -1,4 +1,4 @@
-"""Materials that are not linear elastic, as functions of strains in space.
+"""Materials that are not linear elastic, as functions of strains in 3-D.
 
 A law has the energy W = shear part(E, history) + U(d(E)) by undeformed volume,
 E the small strain or that of Green and Lagrange, d a measure of volume; the

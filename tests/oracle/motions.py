@@ -7,7 +7,7 @@ import surfaces
 
 
 def rotation(angle, axis=None):
-    """In the plane, or in space about an axis (Rodrigues)."""
+    """In 2-D, or in 3-D about an axis (Rodrigues)."""
     cos, sin = np.cos(angle), np.sin(angle)
     if axis is None:
         return np.array([[cos, -sin], [sin, cos]])

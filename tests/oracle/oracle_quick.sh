@@ -1,6 +1,6 @@
 #!/bin/sh
 # The oracle against closed forms and damaged results, then 27 of its scenes, and
-# 10 in space with variants, and those that were once called converged and wrong,
+# 10 in 3-D with variants, and those that were once called converged and wrong,
 # or did not converge.
 #   oracle_quick.sh CONTACT PARAMETERS MESHES
 # SPDX-License-Identifier: LGPL-2.1-or-later
@@ -30,7 +30,7 @@ space=space_blocks,space_reversal,space_overlap,space_corner,space_sphere
 # pressure; slip that turns round on one and on two processes; corners of the
 # master between slave nodes, nodal and mortar, both degrees; a node on an axis;
 # an end of the master where slave nodes slide off, and a single one is opposite;
-# a corner of the slave in space, whose gap was that of the nearest Gauss point; a
+# a corner of the slave in 3-D, whose gap was that of the nearest Gauss point; a
 # slave that bends over an edge of the master; nodes in corners of a round master;
 # sticking nodes on faces of the master that are bent; slave faces of degree 2 of
 # which the master covers a strip; nodes behind chords of bent faces of the master.

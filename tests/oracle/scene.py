@@ -59,7 +59,7 @@ class Zone:
         self.force = force or {}
         # None: the point that the obstacle begins with.
         self.centre = centre
-        # In space; None: that of a cylinder.
+        # In 3-D; None: that of a cylinder.
         self.axis = axis
         self.apart = apart
         self.preload = preload

@@ -1,4 +1,4 @@
-"""A zone whose surfaces go round edges, in the plane and in space: nothing is
+"""A zone whose surfaces go round edges, in 2-D and in 3-D: nothing is
 asked of nodes that have one normal. Depths are taken at many places of both
 surfaces and compared with what the bodies approach each other by; forces with the
 cone of the normals of all facets that face each other around a node; the whole
@@ -81,7 +81,7 @@ class Side:
 
     def distances_of_corners(self, other):
         """From each of our facets to the closest corner of the other side; in
-        space none has a force of its own."""
+        3-D none has a force of its own."""
         if self.x.shape[1] == 3 or not len(other.corners):
             return np.full(len(self.facets), np.inf)
         return np.array([self.kind(facet[None], self.x).closest(

@@ -1,4 +1,4 @@
-"""Scenes of blocks in space."""
+"""Scenes of blocks in 3-D."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import math
 

@@ -1,4 +1,4 @@
-"""What is special in space of the judgement in check.py: where displacements
+"""What is special in 3-D of the judgement in check.py: where displacements
 come from, and what the program says about forces of contact."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import numpy as np

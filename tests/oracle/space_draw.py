@@ -1,5 +1,5 @@
-"""What scenes in space draw: sizes of cells, degree, kinematics, rules, loops,
-and how the scene lies in space."""
+"""What scenes in 3-D draw: sizes of cells, degree, kinematics, rules, loops,
+and how the scene lies in 3-D."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import math
 
@@ -10,7 +10,7 @@ from space_grids import brick
 from space_scene import SpaceScene, rotation
 
 FRICTION = (0.0, 0.0, 0.1, 0.2, 0.3, 0.5, 1.0)
-# As in the plane, and what hardly changes its volume.
+# As in 2-D, and what hardly changes its volume.
 MATERIALS = draw.MATERIALS + ((50, 0.499), (100, 0.4999))
 
 

@@ -1,4 +1,4 @@
-"""The bodies of a scene in space: hexahedra of 8, 20 and 27 nodes.
+"""The bodies of a scene in 3-D: hexahedra of 8, 20 and 27 nodes.
 
 A hexahedron of 20 nodes is one of 27 whose centres follow: that of a face half
 the sum of the middles of its edges minus a quarter of the sum of its corners,
@@ -26,7 +26,7 @@ def places(dim):
 
 
 class SpaceModel(fem.Model):
-    """As in the plane; `lines` are faces here. `middle` knows the nodes of
+    """As in 2-D; `lines` are faces here. `middle` knows the nodes of
     degree 2 by the corners that they are in the middle of."""
 
     def add_middles(self, mesh, cells):

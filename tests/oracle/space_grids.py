@@ -108,7 +108,7 @@ def brick(name, low, high, n, shape=None):
 
 
 class SpaceMesh(Mesh):
-    """As in the plane; `lines` are faces, in rows, with their normals outward;
+    """As in 2-D; `lines` are faces, in rows, with their normals outward;
     `arcs` are round surfaces: {name: (entry, numbers)}."""
 
     corners = 4

@@ -1,4 +1,4 @@
-"""Scenes in space of bodies that yield, of rubber, of obstacles that move."""
+"""Scenes in 3-D of bodies that yield, of rubber, of obstacles that move."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 from draw import (RUBBERS, in_small_strain, plastic_bodies, plastic_law,
                   rubber_law, size, some, swap, uniform)

@@ -1,4 +1,4 @@
-"""Zones in space on obstacles, at rest or moving."""
+"""Zones in 3-D on obstacles, at rest or moving."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Scenes of round bodies in space, and of rigid obstacles."""
+"""Scenes of round bodies in 3-D, and of rigid obstacles."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import math
 

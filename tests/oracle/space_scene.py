@@ -1,4 +1,4 @@
-"""A scene in space: turned as a whole, with round surfaces and obstacles."""
+"""A scene in 3-D: turned as a whole, with round surfaces and obstacles."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Scenes in space whose surfaces of contact go round edges on both sides: trays,
+"""Scenes in 3-D whose surfaces of contact go round edges on both sides: trays,
 keys, slots, steps, rims. Each group is one, however many sides it has."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import space_draw

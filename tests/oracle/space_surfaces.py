@@ -1,4 +1,4 @@
-"""Deformed surfaces in space as triangles: distances, normals, what lies
+"""Deformed surfaces in 3-D as triangles: distances, normals, what lies
 inside."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import numpy as np

@@ -1,4 +1,4 @@
-"""Forces and gaps of a contact zone in space, seen on the deformed surfaces."""
+"""Forces and gaps of a contact zone in 3-D, seen on the deformed surfaces."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import numpy as np
 from scipy.optimize import nnls

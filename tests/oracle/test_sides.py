@@ -4,7 +4,7 @@
 
 - Groups are cut into the sides that they are drawn of, and no others.
 - Our own solution of contact: a block that fills a tray carries what a confined
-  one does, in the plane and in space, on meshes that do not match; turned as a
+  one does, in 2-D and in 3-D, on meshes that do not match; turned as a
   whole it is the same.
 - Such a solution passes the checks of a result; with a block that is deeper at an
   edge, forces that are turned there, a shear without friction, it does not."""

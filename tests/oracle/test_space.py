@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The oracle in space, tested without the program.
+"""The oracle in 3-D, tested without the program.
 
 - Forces are the derivatives of an energy, tangents those of the forces, of
   hexahedra of 8, 20 and 27 nodes.

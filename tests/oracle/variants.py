@@ -1,4 +1,4 @@
-"""The same scene in other words: mirrored (in space turned), renumbered, its
+"""The same scene in other words: mirrored (in 3-D turned), renumbered, its
 bodies in another order, on two processes. Its results have to be the same."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import copy

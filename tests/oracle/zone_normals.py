@@ -1,4 +1,4 @@
-"""The directions in which the master of a zone may push, in the plane."""
+"""The directions in which the master of a zone may push, in 2-D."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import numpy as np
 

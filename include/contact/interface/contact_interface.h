@@ -243,7 +243,7 @@ namespace Contact
     std::vector<double> motions(const GhostedVector &solution) const;
 
     /// The forces of pressures and shears along each free motion [N, of turns N
-    /// mm; in the plane per mm of thickness]: of the tractions in a state, or
+    /// mm; in 2-D per mm of thickness]: of the tractions in a state, or
     /// @p of_multipliers, which know how slip turns in a step.
     std::vector<double> motion_forces(const GhostedVector &solution,
                                       const GhostedVector &u_start,
@@ -433,7 +433,7 @@ namespace Contact
     /// Points that stick and are held by others slip in no direction.
     void release_held();
 
-    /// The statuses or normals are others: in space, the directions in which
+    /// The statuses or normals are others: in 3-D, the directions in which
     /// points of one node hold each other.
     void find_held_slips();
 

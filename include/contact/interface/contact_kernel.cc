@@ -45,7 +45,7 @@ namespace Contact
 
 
 
-    /// In the plane an obstacle under a moment takes the loads with it as it
+    /// In 2-D an obstacle under a moment takes the loads with it as it
     /// turns, and its moment changes with their arms.
     void add_turning_loads(const ContactInterface<2> &interface,
                            const ContactPoint<2>     &point,
@@ -263,7 +263,7 @@ namespace Contact
 
 
 
-  // Systems in space pair the points before each step.
+  // Systems in 3-D pair the points before each step.
   template<>
   ContactKernel<3>::Motion ContactKernel<3>::motion(const ContactPoint<3> &,
                                                     const GhostedVector &,

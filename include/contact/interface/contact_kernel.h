@@ -15,7 +15,7 @@ namespace Contact
   /// The terms that the kernel linearises.
   struct ContactLinearization
   {
-    /// Projection, normal and tangent move with the bodies. In the plane.
+    /// Projection, normal and tangent move with the bodies. In 2-D.
     bool moving_geometry;
   };
 

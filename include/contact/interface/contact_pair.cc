@@ -215,7 +215,7 @@ namespace Contact
 
 
 
-  // In space a vertex within a facet is held by all nodes of that, also by
+  // In 3-D a vertex within a facet is held by all nodes of that, also by
   // those where no master is: mortars, which see it in the mean, have none.
   template<int dim>
   bool ContactPair<dim>::can_have_corner_points() const

@@ -33,7 +33,7 @@ namespace Contact
    *
    * The slave is cut into smooth sides, but for glue, which holds all
    * directions whatever the normal. The points are those of the discretization,
-   * and behind them what it can not see: with the mortar discretization at
+   * and behind them what it cannot see: with the mortar discretization at
    * degree 2 a nodal point for a node on an axis of symmetry, which has no dual
    * function; with the discretizations mortar and nodal the corners of the
    * master (corner_points.h).

@@ -182,7 +182,7 @@ namespace Contact
 
 
 
-  // In the plane the kernel finds the derivatives.
+  // In 2-D the kernel finds the derivatives.
   template<>
   void ContactPair<2>::differentiate(ContactPoint<2> &,
                                      const GhostedVector &,

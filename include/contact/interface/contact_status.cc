@@ -29,7 +29,7 @@ namespace Contact
 
 
 
-    // On a deformable master in space the tangents of points of one node are
+    // On a deformable master in 3-D the tangents of points of one node are
     // left to the elimination: the shear of a point that other normals hold may
     // be what presses the node against them, and without it the active set
     // finds no end.

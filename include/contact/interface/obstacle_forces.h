@@ -57,7 +57,7 @@ namespace Contact
                   const GhostedVector         &solution,
                   const GhostedVector         &u_start);
 
-  /// Of both together, by names: "obstacle_force_x", in the plane
+  /// Of both together, by names: "obstacle_force_x", in 2-D
   /// "obstacle_moment_z"; of one that can move "obstacle_motion_x" and
   /// "obstacle_turn" [mm, degrees]. Of rings those along the axis alone. Of a
   /// cut "preload" and "shortening".

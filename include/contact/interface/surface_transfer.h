@@ -36,7 +36,7 @@ namespace Contact
 
 
 
-  /// In space by the undeformed places of the slave nodes and of the corners of
+  /// In 3-D by the undeformed places of the slave nodes and of the corners of
   /// the master, which every mesh has: of these with forces [N] for tractions.
   template<>
   struct SurfaceState<3>

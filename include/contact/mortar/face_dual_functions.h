@@ -16,7 +16,7 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// A place of a facet in space, the shape functions there, and the undeformed
+  /// A place of a facet in 3-D, the shape functions there, and the undeformed
   /// area that it stands for.
   struct FacetSample
   {
@@ -33,7 +33,7 @@ namespace Contact
 
 
   /**
-   * The dual functions of a slave facet in space, over the part of it that
+   * The dual functions of a slave facet in 3-D, over the part of it that
    * faces the master. With test functions M_j of its nodes,
    *   Phi_k = sum_j A_kj M_j,   A = D G^-1,   D_k = integral M_k,
    *                                           G_kj = integral M_k M_j,

@@ -18,7 +18,7 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * The integrals of the mortar discretization in space, over the segments of
+   * The integrals of the mortar discretization in 3-D, over the segments of
    * slave facets with the dual functions of their nodes, see FacetDualFunctions
    * and FaceSegments. MortarDiscretization makes contact points of them.
    */

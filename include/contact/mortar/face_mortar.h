@@ -20,8 +20,8 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * The mortar discretization in space: what MortarDiscretization<2> is in the
-   * plane, a contact point for each slave node whose gap is weighted by a dual
+   * The mortar discretization in 3-D: what MortarDiscretization<2> is in
+   * 2-D, a contact point for each slave node whose gap is weighted by a dual
    * function.
    *
    * Integrals are over the segments, see FaceSegments, of FacetDualFunctions.
@@ -31,7 +31,7 @@ namespace Contact
    * D_k are positive.
    *
    * Normal, the lower limit of the gap, and the shift of the projection points
-   * that balances the moments are as in the plane. Derivatives are of first
+   * that balances the moments are as in 2-D. Derivatives are of first
    * order in the distance of the surfaces, which is zero where they matter:
    * those of points in contact.
    */

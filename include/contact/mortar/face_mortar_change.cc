@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// The derivatives of the pairing of a mortar point in space.
+// The derivatives of the pairing of a mortar point in 3-D.
 
 #include <algorithm>
 

@@ -19,7 +19,7 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// Both surfaces of a contact pair in space, where the bodies are.
+  /// Both surfaces of a contact pair in 3-D, where the bodies are.
   struct FaceConfiguration
   {
     FaceConfiguration(const Surface<3>     &slave,

@@ -44,7 +44,7 @@ namespace Contact
     double lever = 1;
 
     // In this increment.
-    double force = 0; // [N, of turns N mm; in the plane per mm of thickness]
+    double force = 0; // [N, of turns N mm; in 2-D per mm of thickness]
     bool   stays = false;
   };
 } // namespace Contact

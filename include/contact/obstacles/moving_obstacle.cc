@@ -84,9 +84,9 @@ namespace Contact
                std::string("write ") + Dimension<dim>::coordinates);
       if (!axis.empty() && (dim == 2 || axis.size() != 3 ||
                             std::count(axis.begin(), axis.end(), 0.) == 3))
-        refuse("this is no direction in space",
+        refuse("this is no direction in 3-D",
                "Obstacle axis",
-               "write x, y, z; in the plane there is none");
+               "write x, y, z; in 2-D there is none");
       if (dim == 3 &&
           (motion.count("angle") > 0 || !parameters.obstacle_moment.empty()) &&
           axis.empty() && shape != ObstacleShape::cylinder &&

@@ -19,7 +19,7 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// A moment [N mm per mm of thickness], or a turn [rad]: in the plane about
+  /// A moment [N mm per mm of thickness], or a turn [rad]: in 2-D about
   /// z.
   template<int dim>
   using Moment = Tensor<1, Dimension<dim>::n_rotations>;
@@ -59,7 +59,7 @@ namespace Contact
 
     /// A half plane by the numbers x, y, n_x, n_y, a point of it and its
     /// outward normal, or a circle by x, y and its radius, solid, with a
-    /// negative radius the inside of a hole [mm]; in space a half space and a
+    /// negative radius the inside of a hole [mm]; in 3-D a half space and a
     /// sphere alike, and a cylinder by a point of its axis, the direction of
     /// the axis and its radius; in both a ProfileObstacle. Throws InputError if
     /// a shape is one of the other dimension.
@@ -74,8 +74,8 @@ namespace Contact
       Tensor<1, dim> normal; // outward
       double         radius; // [mm], negative in a hole; 0: flat
 
-      // The way of the material there in this increment [mm], and in the
-      // plane the derivative of its tangential part along the surface [-].
+      // The way of the material there in this increment [mm], and in
+      // 2-D the derivative of its tangential part along the surface [-].
       Tensor<1, dim> motion  = {};
       double         stretch = 0;
 

@@ -13,8 +13,8 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * A rigid body whose boundary in the plane is a polyline with rounded
-   * corners, with the rigid body on its left; in space it goes on along z. If
+   * A rigid body whose boundary in 2-D is a polyline with rounded
+   * corners, with the rigid body on its left; in 3-D it goes on along z. If
    * the last point is the first one the line is closed, else its first and last
    * edge go on without end. At a corner with the edges a and b, which turn by
    * the angle alpha, an arc of the radius r replaces r tan(|alpha|/2) of both:

@@ -24,7 +24,7 @@ namespace Contact
   /**
    * The change of a point's pairing with the displacements of the nodes around
    * it, where the discretization finds that by itself: derivatives with respect
-   * to the unknowns @p dofs. A tangent turns with the normal. In space one rank
+   * to the unknowns @p dofs. A tangent turns with the normal. In 3-D one rank
    * alone has @p C and @p turn, which are large.
    */
   template<int dim>
@@ -35,10 +35,10 @@ namespace Contact
     FullMatrix<double>              C;    // of the coefficients, by node [1/mm]
     std::vector<Tensor<1, dim - 1>> turn; // of the normal, by tangent [1/mm]
 
-    // In space, of the coefficients by a slip, by node [1/mm].
+    // In 3-D, of the coefficients by a slip, by node [1/mm].
     std::vector<Tensor<1, dim>> slide;
 
-    // In the plane, of the weight, relative [1/mm], and of the projection's
+    // In 2-D, of the weight, relative [1/mm], and of the projection's
     // place along the normal [1].
     std::vector<double> weight, projection;
   };
@@ -61,7 +61,7 @@ namespace Contact
     unsigned int    slave_facet = 0; // in the slave surface
     FacetPoint<dim> slave_xi{};
     double          weight = 0; // undeformed length it stands for [mm]; of
-                                // rings, and in space, the area [mm^2]
+                                // rings, and in 3-D, the area [mm^2]
     double augmentation_parameter = 0; // the c of p - c g [MPa/mm]
 
     // Directions that supports hold the slave's node along, but not all nodes
@@ -111,7 +111,7 @@ namespace Contact
     unsigned int                      n_nodes       = 0;
     PerNode<const SurfaceNode<dim> *> nodes;
     PerNode<double>                   C;  // coefficients
-    PerNode<double>                   C1; // in the plane, their derivatives
+    PerNode<double>                   C1; // in 2-D, their derivatives
     PerNode<double>                   C2; // by the master coordinate
 
     /// The unknowns of a node, and its reference position [mm].
@@ -125,7 +125,7 @@ namespace Contact
     }
 
     /// Append a node, which a surface has as long as there is this pairing,
-    /// with its coefficient and, in the plane, the derivatives of that.
+    /// with its coefficient and, in 2-D, the derivatives of that.
     void add_node(const SurfaceNode<dim> &node,
                   const double            c,
                   const double            c1 = 0,
@@ -140,7 +140,7 @@ namespace Contact
     Tensor<1, dim>                      normal;
     std::array<Tensor<1, dim>, dim - 1> tangents;
 
-    double metric = 1; // in the plane, |d x_m / d xi| [mm]
+    double metric = 1; // in 2-D, |d x_m / d xi| [mm]
 
     /// The vector with these components along the tangents.
     Tensor<1, dim> along_tangents(const Tensor<1, dim - 1> &components) const
@@ -183,7 +183,7 @@ namespace Contact
     // at a slave node on a symmetry line.
     bool has_no_free_tangent = false;
 
-    // In space across planes of symmetry there is no slip, though nodes beside
+    // In 3-D across planes of symmetry there is no slip, though nodes beside
     // them are in the row. Orthonormal.
     std::vector<Tensor<1, dim>> tangents_held_by_supports;
 
@@ -222,7 +222,7 @@ namespace Contact
    * edge, out of the master body; t its unit tangent, n turned by +90 degrees;
    * the pressure p is positive in compression; q is the component along t of
    * the traction on the slave.
-   * In space there are two tangents, perpendicular to each other and to n, and
+   * In 3-D there are two tangents, perpendicular to each other and to n, and
    * slip and shear have two components. Which two directions these are means
    * nothing; they turn with the normal, and not about it.
    */
@@ -243,7 +243,7 @@ namespace Contact
     // At the increment's start, which springs go on from [MPa].
     Tensor<1, dim - 1> shear_at_start;
 
-    // In space, the directions along the tangents in which other points in
+    // In 3-D, the directions along the tangents in which other points in
     // contact hold the node, see PointFrames. Orthonormal.
     std::vector<Tensor<1, dim>> tangents_held_by_points;
 

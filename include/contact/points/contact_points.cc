@@ -327,8 +327,8 @@ namespace Contact
 
 
 
-  // The normal in the facet; at a node those of all facets around it, in the
-  // plane at first of the edge that ends there.
+  // The normal in the facet; at a node those of all facets around it, in
+  // 2-D at first of the edge that ends there.
   template<int dim>
   NormalCone<dim> directions_of(const ContactPoint<dim>    &point,
                                 const DeformedSurface<dim> &now)

@@ -58,9 +58,9 @@ namespace Contact
 
   /**
    * The orthonormal directions, in the frame of the tangents, in which supports
-   * leave a point free to slip: none in the plane where the tangential row lies
+   * leave a point free to slip: none in 2-D where the tangential row lies
    * in the span of the normal one once the unknowns that a support fixes are
-   * out; in space one across a component of the displacement that supports
+   * out; in 3-D one across a component of the displacement that supports
    * prescribe of all its nodes, none across two.
    */
   std::vector<Tensor<1, 1>> free_slips(const ContactPoint<2>   &point,
@@ -111,7 +111,7 @@ namespace Contact
    * normal is along the plane: the facets around it are those of one side only,
    * and their mean with their images is. The plane is one that supports hold
    * the slave node across, and a node of the master alike that is in the same
-   * place within @p tolerance [mm]. Not of a surface that lies in the plane;
+   * place within @p tolerance [mm]. Not of a surface that lies in 2-D;
    * one that meets it at a slant has its own normal, too, with an edge between
    * it and its image, and no slip up the slant.
    * The tangents, and the springs of the rim.
@@ -141,8 +141,8 @@ namespace Contact
   Point<dim> slave_position(const ContactPoint<dim> &point,
                             const GhostedVector     &u);
 
-  /// Make the tangents perpendicular to the normal: in the plane n turned by 90
-  /// degrees, in space those that there are, turned with the normal.
+  /// Make the tangents perpendicular to the normal: in 2-D n turned by 90
+  /// degrees, in 3-D those that there are, turned with the normal.
   void set_tangents(ContactPoint<2> &point);
   void set_tangents(ContactPoint<3> &point);
 
@@ -161,7 +161,7 @@ namespace Contact
     /// further beyond an end than DeformedSurface::overhang.
     bool keeps_edges = false;
 
-    /// In space open points of the mortar discretization may keep an earlier
+    /// In 3-D open points of the mortar discretization may keep an earlier
     /// pairing where the surfaces around them do not touch each other and their
     /// gap is still positive: that they stay open is all that is asked of them.
     bool keeps_open_points = false;
@@ -189,7 +189,7 @@ namespace Contact
                         const bool                  keeps_facet = false);
 
   /// The master side of a point at its projection: nodes and coefficients, with
-  /// their derivatives in the plane, normal and tangents.
+  /// their derivatives in 2-D, normal and tangents.
   void face_master(ContactPoint<2>          &point,
                    const Projection<2>      &projection,
                    const DeformedSurface<2> &master,

@@ -15,7 +15,7 @@ namespace Contact
 
   /**
    * Points of the reversed direction, at the convex corners and the ends of a
-   * master; in space at its vertices, where ends of faces meet that do not
+   * master; in 3-D at its vertices, where ends of faces meet that do not
    * continue each other.
    *
    * The discretizations look from the nodes of the slave, or in the mean along

@@ -29,7 +29,7 @@ namespace Contact
 
 
   /// A status, and for a slipping point the direction of its shear traction: in
-  /// the plane a sign, in space a unit vector in the frame of the tangents.
+  /// 2-D a sign, in 3-D a unit vector in the frame of the tangents.
   template<int dim>
   struct PointStatus
   {
@@ -47,7 +47,7 @@ namespace Contact
       return slip_direction != Direction();
     }
 
-    /// A number of its own for each status; in space directions are not told
+    /// A number of its own for each status; in 3-D directions are not told
     /// apart.
     signed char code() const;
 

@@ -36,7 +36,7 @@ namespace Contact
    *
    * Of an obstacle the path is that against its material. It goes through where
    * the closest side is the opposite one from one place to the next, or the
-   * place half of the radius deep. In space nothing is looked for between two
+   * place half of the radius deep. In 3-D nothing is looked for between two
    * bodies.
    */
   template<int dim>

@@ -15,12 +15,12 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// A contact point of a surface in the plane, as seen along its arc length.
+  /// A contact point of a surface in 2-D, as seen along its arc length.
   struct PatchSample
   {
     double s; // arc length [mm]
     bool   touches, sticks;
-    bool   is_held; // by a support: it can not slip
+    bool   is_held; // by a support: it cannot slip
     double p;       // [MPa]
     double slip;    // magnitude [mm]
   };
@@ -28,7 +28,7 @@ namespace Contact
 
 
   /**
-   * The patches of contact on a slave in the plane, and how long they are. A
+   * The patches of contact on a slave in 2-D, and how long they are. A
    * patch is a row of points that touch, or stick, from its first to its last
    * end, also over the place where a closed surface begins. Between two points
    * contact ends where p^2 vanishes, extrapolated linearly from the last two

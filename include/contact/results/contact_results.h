@@ -21,7 +21,7 @@ namespace Contact
   struct ContactResults
   {
     /// On the slave: sum over the points of w p and of w q, along the normals
-    /// and the tangents of the master [N per mm of thickness]; in space the
+    /// and the tangents of the master [N per mm of thickness]; in 3-D the
     /// magnitude of the sum of the vectors w q [N].
     double normal_force     = 0;
     double tangential_force = 0;
@@ -31,13 +31,13 @@ namespace Contact
     double max_shear    = 0;
 
     /// The lengths of all patches of contact, and of sticking, by the
-    /// undeformed arc length of the slave [mm]: see ContactPatches. In space
+    /// undeformed arc length of the slave [mm]: see ContactPatches. In 3-D
     /// the areas that the points in contact, and those that stick, stand for
     /// [mm^2].
     double extent       = 0;
     double stick_extent = 0;
 
-    /// With widths in the plane, with areas in space.
+    /// With widths in 2-D, with areas in 3-D.
     template<int dim>
     std::map<std::string, double> by_name() const
     {
@@ -84,7 +84,7 @@ namespace Contact
    * The load of the points at corners of the master on the nodes of the slave:
    * the force along normal and tangent of the node's own point by the integral
    * of the node's shape function, over which it is spread, to be added to
-   * pressure and shear (p, q) of that point [MPa]; in space the pressure alone.
+   * pressure and shear (p, q) of that point [MPa]; in 3-D the pressure alone.
    * By slave node; empty if there are no such points.
    */
   template<int dim>

@@ -21,13 +21,13 @@ namespace Contact
 
   /**
    * The directions in which a place of a surface looks: the outward normal
-   * there, and at a corner those of all facets; in the plane also all between
+   * there, and at a corner those of all facets; in 2-D also all between
    * the normals of the two edges of a convex one.
    */
   template<int dim>
   struct NormalCone
   {
-    /// In the plane in the order of the edges.
+    /// In 2-D in the order of the edges.
     std::vector<Tensor<1, dim>> normals;
 
     /// At an end of the surface, where the body has a side that is in no group:
@@ -74,7 +74,7 @@ namespace Contact
 
 
 
-  /// The point of a surface that is closest to a point in space.
+  /// The point of a surface that is closest to a point in 3-D.
   template<int dim>
   struct Projection
   {
@@ -199,7 +199,7 @@ namespace Contact
                            const Projection<dim> &candidate) const;
 
     /**
-     * In the plane, beyond both faces that meet in a convex corner a point
+     * In 2-D, beyond both faces that meet in a convex corner a point
      * touches neither as long as it is outside of one: the further one is what
      * it may come to touch. @p best is what is closest.
      */
@@ -209,9 +209,9 @@ namespace Contact
 
     /**
      * Find the facets beside a projection that are as close: which of them was
-     * found first must not matter. In the plane the other edge at the end that
+     * found first must not matter. In 2-D the other edge at the end that
      * xi is nearer to, wherever its closest point is, so that both sides of a
-     * hollow count alike; in space those with the same closest point.
+     * hollow count alike; in 3-D those with the same closest point.
      */
     void find_twins(const Point<dim> &x,
                     const Accept     &accept,

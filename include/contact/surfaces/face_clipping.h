@@ -15,13 +15,13 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// A plane that facets in space are projected on, along its normal.
+  /// A plane that facets in 3-D are projected on, along its normal.
   class ProjectionPlane
   {
   public:
     ProjectionPlane(const Point<3> &origin, const Tensor<1, 3> &unit_normal);
 
-    /// The place of a projected point in the plane.
+    /// The place of a projected point in 2-D.
     Point<2> project(const Point<3> &x) const;
 
     const Tensor<1, 3> normal;
@@ -33,10 +33,10 @@ namespace Contact
 
 
 
-  /// A triangle in the plane.
+  /// A triangle in 2-D.
   using PlaneTriangle = std::array<Point<2>, 3>;
 
-  /// A quadrangle in the plane: the corners in the order of deal.II.
+  /// A quadrangle in 2-D: the corners in the order of deal.II.
   using PlaneQuadrangle = std::array<Point<2>, 4>;
 
   /// Of two quadrangles that meet no more than eight if they are convex, and

@@ -23,7 +23,7 @@ namespace Contact
   using namespace dealii;
 
   /// The Lagrange functions of a facet of a surface at a place of it, and their
-  /// derivatives: of an edge in the plane, of a quadrangle in space.
+  /// derivatives: of an edge in 2-D, of a quadrangle in 3-D.
   template<int dim, typename Number>
   struct FacetShapes;
 
@@ -150,7 +150,7 @@ namespace Contact
   template<int dim>
   using FacetShape = FacetShapes<dim, double>;
 
-  /// A place on a facet: one coordinate in the plane, two in space.
+  /// A place on a facet: one coordinate in 2-D, two in 3-D.
   template<int dim>
   using FacetPoint = std::conditional_t<dim == 2, double, Point<2>>;
 
@@ -241,7 +241,7 @@ namespace Contact
 
 
   /**
-   * A facet: in the plane an edge, with the body to its left, in space a
+   * A facet: in 2-D an edge, with the body to its left, in 3-D a
    * quadrangle, whose coordinates are a right-handed system with the outward
    * normal. Its sides, of an edge its ends, in the order of deal.II: where the
    * first coordinate is -1 and 1, then the second one.
@@ -296,7 +296,7 @@ namespace Contact
     /// nothing faces it.
     PerSide<bool> ends_face;
 
-    /// In the plane, feature nodes: corners, and kinks from half of
+    /// In 2-D, feature nodes: corners, and kinks from half of
     /// Surface::feature_angle on that stand alone. Those of a curve that the
     /// mesh has drawn as a polygon do not.
     PerSide<bool> is_feature{};
@@ -318,8 +318,8 @@ namespace Contact
 
 
   /**
-   * A boundary of the bodies: in the plane a chain of straight or parabolic
-   * edges, in space quadrangles, bilinear or of degree 2.
+   * A boundary of the bodies: in 2-D a chain of straight or parabolic
+   * edges, in 3-D quadrangles, bilinear or of degree 2.
    *
    * A slave is cut into smooth sides at its feature nodes and corners. A mesh
    * node there is a surface node on each of its sides: it has the same unknowns
@@ -361,7 +361,7 @@ namespace Contact
     }
 
     const unsigned int             degree;
-    std::vector<SurfaceNode<dim>>  nodes;  // in the plane along the chain
+    std::vector<SurfaceNode<dim>>  nodes;  // in 2-D along the chain
     std::vector<SurfaceFacet<dim>> facets; // likewise
 
     /// The facets that meet at each node.
@@ -371,7 +371,7 @@ namespace Contact
     using Part = std::pair<unsigned int, double>;
 
     /// The nodes that a hanging node follows, those of the side of a larger
-    /// facet that it is on; none of a node that does not hang. In space.
+    /// facet that it is on; none of a node that does not hang. In 3-D.
     std::vector<std::vector<Part>> parents;
 
     /// The same, or the node itself.
@@ -383,17 +383,17 @@ namespace Contact
     std::vector<Part> receivers(const unsigned int node) const;
 
     /// The largest angle by which one edge turns against the one before it
-    /// [degrees], of those that are no corners. In the plane.
+    /// [degrees], of those that are no corners. In 2-D.
     double largest_bend() const;
 
     /// By how much the curves turn that two edges stand for, where an edge
     /// begins, to the left [rad]: on an arc of any number of edges not at all.
-    /// In the plane.
+    /// In 2-D.
     double turn_of_curves(const unsigned int edge) const;
 
     /// By how much the undeformed surface turns at each node, from the middle
     /// of the edge before it to the middle of the edge behind it [rad]; at an
-    /// end by a right angle. In the plane.
+    /// end by a right angle. In 2-D.
     std::vector<double> turns;
 
     unsigned int n_nodes_per_facet() const
@@ -439,11 +439,11 @@ namespace Contact
                               const FacetShapes<dim, Number> &shape) const;
 
     /// The integrals of the shape functions of a facet, undeformed [mm^2]. In
-    /// space.
+    /// 3-D.
     std::vector<double> shares_of_nodes(const unsigned int facet) const;
 
     /// Arc length of all nodes from the first one [mm], from the positions
-    /// @p x of the nodes. In the plane.
+    /// @p x of the nodes. In 2-D.
     std::vector<double> arc_length(const std::vector<Point<2>> &x) const;
 
   private:
@@ -467,7 +467,7 @@ namespace Contact
     void link_halves_of_sides();
 
     /// Cut the surface into its smooth sides: the nodes, and what is different
-    /// in the plane and in space, the links of the facets.
+    /// in 2-D and in 3-D, the links of the facets.
     void cut_into_sides();
     void copy_nodes_of_sides();
     void cut_links();

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// The part of Surface on what edges in the plane are: chains.
+// The part of Surface on what edges in 2-D are: chains.
 
 #include <algorithm>
 #include <map>

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// The part of Surface on what quadrangles in space are: sides in common.
+// The part of Surface on what quadrangles in 3-D are: sides in common.
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -53,7 +53,7 @@ namespace Contact
 
 
 
-  // A surface that lies in the plane or meets it at a slant has its own normal.
+  // A surface that lies in 2-D or meets it at a slant has its own normal.
   FacetNormals<3>
   SymmetryPlanes::facet_normals(const DeformedSurface<3> &now) const
   {

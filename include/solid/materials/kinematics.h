@@ -13,7 +13,7 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// The part of a stress in the space of the mesh: in the plane, or all of it.
+  /// The part of a stress in the space of the mesh: in 2-D, or all of it.
   template<int dim>
   SymmetricTensor<2, dim> in_space(const SymmetricTensor<2, 3> &stress)
   {
@@ -26,7 +26,7 @@ namespace Contact
 
 
 
-  /// The part of a stress in the plane.
+  /// The part of a stress in 2-D.
   inline SymmetricTensor<2, 2> in_plane(const SymmetricTensor<2, 3> &stress)
   {
     return in_space<2>(stress);
@@ -50,7 +50,7 @@ namespace Contact
     {
     }
 
-    /// The stress in the plane, in plane strain; or in space.
+    /// The stress in 2-D, in plane strain; or in 3-D.
     template<int dim>
     SymmetricTensor<2, dim> stress(const SymmetricTensor<2, dim> &strain) const
     {
@@ -59,9 +59,9 @@ namespace Contact
 
     /**
      * The same with any value in the place of tr(strain), and with a strain
-     * across the plane, the @p hoop strain (none in plane strain or in space):
+     * across the plane, the @p hoop strain (none in plane strain or in 3-D):
      * the stress
-     * in the plane, the stress across it, and the energy by volume
+     * in 2-D, the stress across it, and the energy by volume
      *   1/2 lambda dilatation^2 + mu (strain : strain + hoop^2)
      * [MPa].
      */
@@ -89,7 +89,7 @@ namespace Contact
 
     /**
      * s : D^-1 : s in plane strain [MPa], twice the energy of the stress s in
-     * the plane. From s = lambda tr(e) I + 2 mu e follow
+     * 2-D. From s = lambda tr(e) I + 2 mu e follow
      *   tr(e) = tr(s) / (2 (lambda + mu)),
      *   s : e = (s : s - lambda tr(s) tr(e)) / (2 mu).
      */
@@ -117,7 +117,7 @@ namespace Contact
    * The two kinematics have the same functions, of the displacement gradient
    * H = grad u with respect to the reference configuration, and of h across the
    * plane, where the third axis stretches but does not turn (see
-   * symmetry.h; in plane strain and in space h = 0):
+   * symmetry.h; in plane strain and in 3-D h = 0):
    *  - strain(H), strain(h) and their variations through the gradient of motion
    *    F: delta strain = sym(F^T grad delta u), f delta h;
    *  - cauchy(H, h, S): the true stress of a material stress S;

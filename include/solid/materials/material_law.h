@@ -14,7 +14,7 @@ namespace Contact
 
   /**
    * A material that is not linear elastic, as a function of the strain E in
-   * space [-] (small strain, or that of Green and Lagrange) and of the history
+   * 3-D [-] (small strain, or that of Green and Lagrange) and of the history
    * of a point at the start of an increment, for the stress S = dW/dE [MPa]
    * (or the second one of Piola and Kirchhoff):
    *   W = shear part(E, history) + U(d(E)),

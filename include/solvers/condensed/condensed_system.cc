@@ -286,7 +286,7 @@ namespace Contact
 
 
 
-  // While springs hold a body in space its stresses do not turn with it: they
+  // While springs hold a body in 3-D its stresses do not turn with it: they
   // would be stronger than the springs, and the matrix not definite.
   template<int dim>
   StressStiffness CondensedSystem<dim>::stress_stiffness() const

@@ -109,7 +109,7 @@ namespace Contact
     std::vector<bool>                 coupled; // by point
 
     /// By point, the directions along the tangents in which its shear follows
-    /// from the forces: where it sticks; in space also where it slips, if its
+    /// from the forces: where it sticks; in 3-D also where it slips, if its
     /// node is free and it has that for itself. Elsewhere it is known.
     std::vector<std::vector<Tensor<1, dim - 1>>> shear_directions;
   };

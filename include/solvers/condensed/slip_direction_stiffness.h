@@ -15,7 +15,7 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * The turning of the shear of a slipping point in space. Its shear traction
+   * The turning of the shear of a slipping point in 3-D. Its shear traction
    * is q = b d, with the bound b and the direction d = q_trial/|q_trial|,
    * q_trial = lambda - c s. With beta = b/|q_trial| and the unit vector a
    * across d, Newton's method for q = lambda has the multiplier of the next
@@ -23,7 +23,7 @@ namespace Contact
    * of the slip: a load, and a stiffness across d, k = w c beta/(1 - beta),
    * which is symmetric and never negative, at most a thousand times c and the
    * square of a facet's length. At the solution k = w b/|s|, the derivative of
-   * the exact law. In the plane there is nothing to turn.
+   * the exact law. In 2-D there is nothing to turn.
    *
    * Along a spring (PointPairing::stick_compliance) q_trial changes by -c ds
    * alone: with P the projection across springs, alpha = beta/(1 - beta a.P a),

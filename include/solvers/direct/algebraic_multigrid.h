@@ -53,7 +53,7 @@ namespace Contact
     /// The unknowns eliminated or freed since the hierarchy was new.
     std::size_t n_changed() const;
 
-    /// A hierarchy costs as much as so many iterations, roughly. In the plane
+    /// A hierarchy costs as much as so many iterations, roughly. In 2-D
     /// it is less, and one that has become worse is renewed at once.
     static constexpr unsigned int price_in_space = 30;
 

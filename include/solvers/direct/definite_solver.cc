@@ -306,7 +306,7 @@ namespace Contact
           }
         catch (const ExceptionBase &)
           {
-            throw NotConverged("MUMPS can not factorize the matrix: a body can "
+            throw NotConverged("MUMPS cannot factorize the matrix: a body can "
                                "move without resistance, or memory is short");
           }
       }

@@ -79,7 +79,7 @@ namespace Contact
      * Take the matrix, which has to live until it is replaced; say whether it
      * is @p symmetric, whether it has another pattern than the last one, and
      * which unknowns are @p eliminated from it, in ascending order, on all
-     * ranks the same. Throws NotConverged if it can not be factorized: CHOLMOD
+     * ranks the same. Throws NotConverged if it cannot be factorized: CHOLMOD
      * if it is not positive definite and should be, MUMPS if it is singular;
      * AMG finds out when it solves.
      */

@@ -24,7 +24,7 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * The tangent of elastic bodies as an operator without a matrix: by sum
+   * The tangent of elastic bodies as a matrix-free operator: by sum
    * factorization in each cell, from deal.II's MatrixFree. Hanging nodes and
    * supports are eliminated. Bodies of St. Venant and Kirchhoff's material keep
    * the gradients of the displacement in the quadrature points, where with F =

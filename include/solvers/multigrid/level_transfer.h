@@ -17,7 +17,7 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// Conjugate gradients without a matrix do not reach their tolerance, or
+  /// Matrix-free conjugate gradients do not reach their tolerance, or
   /// there is no multigrid for the present lines of contact.
   struct MultigridStalls : public NotConverged
   {

@@ -43,7 +43,7 @@ namespace Contact
 
     /**
      * Whether it is the best choice: the scene is one for it, and multigrid is
-     * faster than CHOLMOD. From 20000 unknowns in the plane and 5000 in space
+     * faster than CHOLMOD. From 20000 unknowns in 2-D and 5000 in 3-D
      * on it is, if the coarsest mesh has less than CHOLMOD takes a moment for.
      * In large displacement CHOLMOD is the choice as long as it is with AMG: it
      * tells of a tangent that is no longer definite before the end of a step.

@@ -38,7 +38,7 @@ namespace Contact
    * undeformed surfaces and the interferences, D the size of the bodies and h
    * that of the smallest cell; and no term grows with the displacements of the
    * state. All but the dead loads is times the largest circumference of rings,
-   * in space times D.
+   * in 3-D times D.
    */
   template<int dim>
   class ForceScale
@@ -91,10 +91,10 @@ namespace Contact
     const Elasticity<dim>       &elasticity;
     const ContactInterface<dim> *interface;
 
-    Point<dim> middle;      // of the bodies
-    double     size    = 0; // D [mm]
-    double     modulus = 0; // M, of rings times the circumference, in space D
-    double     softest = 0; // the least Young's modulus, times the same
+    Point<dim> middle;         // of the bodies
+    double     size       = 0; // D [mm]
+    double     modulus    = 0; // M, of rings times the circumference, in 3-D D
+    double     softest    = 0; // the least Young's modulus, times the same
     double     coordinate = 0; // X [mm]
     double     overlap    = 0; // o [mm]
     double     slender    = 1; // D / h

@@ -59,7 +59,7 @@ namespace Contact
     virtual void clear_pattern() = 0;
 
     /// Set the multipliers of the state, behind a @p part of the last step (0:
-    /// none), from @p rhs, minus the residual of the bodies alone, or in space
+    /// none), from @p rhs, minus the residual of the bodies alone, or in 3-D
     /// from what the tangent of that step makes of it. Does nothing if they are
     /// unknowns.
     virtual void recover_multipliers(const GhostedVector &rhs,

@@ -256,7 +256,7 @@ namespace Contact
 
 
 
-  // In space slip turns with an obstacle although no force, and no status,
+  // In 3-D slip turns with an obstacle although no force, and no status,
   // changes: a step finds its direction.
   template<int dim>
   bool NewtonState<dim>::has_converged() const

@@ -65,7 +65,7 @@ namespace Contact
 
 
 
-  // Unsymmetric condensed matrices in space have the stiffness of the pairing,
+  // Unsymmetric condensed matrices in 3-D have the stiffness of the pairing,
   // but for bodies that springs hold: it may be negative, and stronger.
   template<int dim>
   bool Pairing<dim>::has_derivatives() const

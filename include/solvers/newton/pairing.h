@@ -112,7 +112,7 @@ namespace Contact
     bool renew(const GhostedVector &solution);
 
     /**
-     * In space, without friction, the condensed matrix is symmetric and knows
+     * In 3-D, without friction, the condensed matrix is symmetric and knows
      * nothing of how the pairing changes with the displacements. Where that
      * does not converge, it is unsymmetric from here on, and knows it. Returns
      * whether it has become so.

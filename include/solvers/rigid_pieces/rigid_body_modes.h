@@ -23,13 +23,13 @@ namespace Contact
     unsigned int piece; // see MeshPieces
     std::string  name;  // as in "displacement in x with rotation"
     unsigned int n;     // how many motions that are: if all are free three, in
-                        // space six
+                        // 3-D six
   };
 
 
 
   /// A rigid motion about a centre, at a place @p arm away from it:
-  /// displacements along the axes, then rotations by one [1], in space about
+  /// displacements along the axes, then rotations by one [1], in 3-D about
   /// the axes.
   inline Tensor<1, 2> rigid_motion(const unsigned int  motion,
                                    const Tensor<1, 2> &arm)
@@ -74,7 +74,7 @@ namespace Contact
    * with other pieces, and, unless @p interface is null, the points in contact
    * along their normals and, as @p tangents says, along their tangents.
    *
-   * Each piece has three rigid motions, in space six. A resisted direction is a
+   * Each piece has three rigid motions, in 3-D six. A resisted direction is a
    * row over those of all pieces: the displacement there, or the difference of
    * the displacements of the two pieces that touch, are tied or share a node,
    * so that two pieces that hold but each other are both free. What is free is

@@ -17,7 +17,7 @@ namespace Contact
   /**
    * The rigid motions of the bodies, each about the middle of its box, by the
    * unknowns that this rank owns, see rigid_motion(). As a
-   * whole they are three, in space six, for all bodies together: the aggregates
+   * whole they are three, in 3-D six, for all bodies together: the aggregates
    * of a multigrid do not reach from body to body except where these touch.
    */
   template<int dim>
@@ -26,7 +26,7 @@ namespace Contact
 
   /**
    * The rigid rotation of each piece (MeshPieces) in the linear theory, in
-   * space its magnitude: the omega [rad] of the motion a + omega e_z x (X - c),
+   * 3-D its magnitude: the omega [rad] of the motion a + omega e_z x (X - c),
    * c the centre of mass, that is closest to the displacement @p u in the mean
    * of the squares over the piece, by the corners of its cells. Collective.
    */
@@ -70,7 +70,7 @@ namespace Contact
                         const std::vector<SpinningPiece> &pieces,
                         GhostedVector                    &u);
 
-  // Pieces in space that can turn about an axis or a point are not found.
+  // Pieces in 3-D that can turn about an axis or a point are not found.
   template<>
   std::vector<SpinningPiece> turning_pieces(const Discretization<2> &,
                                             const Elasticity<2> &,

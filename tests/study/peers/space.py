@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The contact program beside CalculiX in space, on the same meshes.
+"""The contact program beside CalculiX in 3-D, on the same meshes.
 
     space.py [--sizes N,N...] [--seconds S] [--scene NAME] CONTACT
 
