@@ -200,7 +200,6 @@ namespace Contact
     StressPeaks<dim> stress_peaks;
 
     bool is_smallest_step        = false; // of the load
-    bool coarser_start_failed    = false; // of the present increment
     bool open_stability_is_noted = false;
   };
 
@@ -441,7 +440,6 @@ namespace Contact
           stress_peaks.take(model, parameters.solids, state.solution);
         steps.accept(report.increment().newton_iterations);
         stabilization.end_increment();
-        coarser_start_failed = false;
 
         if (levels.may_be_last() && step.ends_increment)
           {
@@ -615,12 +613,11 @@ namespace Contact
 
   // @sect4{ContactProblem::has_coarser_start}
   //
-  // The end of the last increment on this mesh is another start, if that one
-  // leads nowhere, as it may among bodies that yield.
+  // Parts of an increment that is cut start from where the last one ended.
   template<int dim>
   bool ContactProblem<dim>::has_coarser_start(const LoadSteps::Step &step) const
   {
-    return levels.present() > 0 && step.is_whole && !coarser_start_failed;
+    return levels.present() > 0 && step.is_whole;
   }
 
 
@@ -654,9 +651,8 @@ namespace Contact
   //
   // An increment that does not converge leaves no trace but its record. The
   // state is that of the increment's start; the pattern of the matrix is made
-  // anew. The tangent may have to know how the pairing changes, or a body that
-  // contact alone held may have come loose on the way: then it is held, too.
-  // Else the load is applied in smaller steps.
+  // anew. A body that contact alone held may have come loose on the way: then
+  // it is held, too. Else the load is applied in smaller steps.
   template<int dim>
   bool ContactProblem<dim>::try_again(LoadSteps             &steps,
                                       const LoadSteps::Step &step,
@@ -672,19 +668,6 @@ namespace Contact
       model.interface->move_obstacles(step.from, step.from, state.solution);
     pairing.pair(state.solution);
 
-    if (has_coarser_start(step))
-      {
-        report.screen << "  once more from the end of the last increment"
-                      << std::endl;
-        coarser_start_failed = true;
-        return true;
-      }
-    if (pairing.use_consistent_tangent())
-      {
-        report.screen << "  once more with the pairing in the tangent"
-                      << std::endl;
-        return true;
-      }
     stabilization.stabilize_free_pieces(nullptr);
     if (stabilization.has_grown())
       return true;
@@ -797,9 +780,8 @@ namespace Contact
 
       report.screen << "  geometry, turn " << n << std::endl;
       ++report.increment().geometry_iterations;
-      if (n == 1)
-        pairing.pair(state.solution);
-      else if (!system->has_multipliers())
+      pairing.pair(state.solution);
+      if (n > 1 && !system->has_multipliers())
         model.interface->release_parted(state.solution);
       solve_with_friction_loop();
 
@@ -820,10 +802,7 @@ namespace Contact
     };
     fixed_point("geometry loop ends with a change",
                 parameters.solution.max_geometry_iterations,
-                turn,
-                [&](Relaxation &relaxation) {
-                  pairing.renew(state.solution, relaxation);
-                });
+                turn);
   }
 
 
@@ -855,11 +834,9 @@ namespace Contact
            .empty())
       interface.raise_unknown_bounds();
 
-    Vector<double> last_bounds;
-    const auto     turn = [&](const unsigned int n) {
+    const auto turn = [&](const unsigned int n) {
       ++report.increment().friction_iterations;
       solve_newton();
-      last_bounds = interface.bounds();
       const double change =
         interface.update_bounds(state.solution, state.start);
       report.screen << "    friction, turn " << n << ": change of the bound "
@@ -867,18 +844,9 @@ namespace Contact
       return std::make_pair(change,
                             change <= parameters.solution.friction_tolerance);
     };
-    const auto renew = [&](Relaxation &relaxation) {
-      const double part = relaxation.length(GhostedVector(interface.bounds()));
-      if (part < 1)
-        {
-          last_bounds.sadd(1 - part, part, interface.bounds());
-          interface.set_bounds(last_bounds);
-        }
-    };
     fixed_point("friction loop ends with a change of the bound",
                 parameters.solution.max_friction_iterations,
-                turn,
-                renew);
+                turn);
   }
 
 
@@ -908,14 +876,14 @@ namespace Contact
                           step,
                           newton.convergence.residual(),
                           newton.n_changes());
-        report.record_halvings(newton.search_along_line());
+        report.record_halvings(newton.shorten_step());
         newton.accept();
 
         // No stable state has an indefinite tangent: it has to be known at the
         // solution itself, too, not only on the way. Coarser levels are starts:
         // there it is not looked for.
         const bool has_converged = newton.has_converged();
-        const bool is_accepted   = has_converged && pairing.accepts(state);
+        const bool is_accepted   = has_converged && pairing.accept(state);
         const bool is_judged =
           is_accepted && levels.may_be_last() && !system->has_multipliers();
         if (is_judged && !newton.has_tangent_of_state())

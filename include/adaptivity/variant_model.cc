@@ -280,7 +280,7 @@ namespace Contact
                        state.load_factor,
                        /*residual=*/1,
                        /*last_residual=*/1,
-                       StatusSearch::later,
+                       /*searches=*/true,
                        step))
       throw NotConverged("no active set agrees with the linearised problem");
     state.solution += step;

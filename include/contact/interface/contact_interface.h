@@ -325,7 +325,6 @@ namespace Contact
     /// The bounds of all points [MPa].
     Vector<double> bounds() const;
     void           set_bounds(const Vector<double> &bounds);
-    void           set_bound(const unsigned int point, const double bound);
 
     /// Update the statuses of all points in the present state. Returns how many
     /// change; without @p keep they are counted only.

@@ -356,15 +356,6 @@ namespace Contact
 
 
   template<int dim>
-  void ContactInterface<dim>::set_bound(const unsigned int point,
-                                        const double       bound)
-  {
-    all_points[point].friction_bound = bound;
-  }
-
-
-
-  template<int dim>
   void ContactInterface<dim>::reset_bound(const unsigned int point)
   {
     all_points[point].friction_bound =

@@ -125,7 +125,7 @@ namespace Contact
   void NewtonState<dim>::evaluate_with(const bool single_changes)
   {
     const MPI_Comm communicator = model.discretization->communicator;
-    pairing.follow(state.solution, /*after_a_step=*/n_steps > 0);
+    pairing.follow(state.solution);
     {
       TimerOutput::Scope scope(timer, "residual");
       smallest_volume = smallest_of_all_ranks(evaluate_bodies(), communicator);
@@ -294,7 +294,7 @@ namespace Contact
 
 
   template<int dim>
-  std::vector<double> NewtonState<dim>::search_along_line()
+  std::vector<double> NewtonState<dim>::shorten_step()
   {
     if (n_steps == 0)
       return {};
@@ -305,9 +305,7 @@ namespace Contact
 
     std::vector<double> residuals;
     const unsigned int  max_halvings = 6;
-    while (residuals.size() < max_halvings &&
-           (!is_admissible() || (n_status_changes == 0 &&
-                                 !guard.accepts(convergence.residual_norm()))))
+    while (residuals.size() < max_halvings && !is_admissible())
       {
         state.solution.sadd(0.5, 0.5, last);
         part *= 0.5;
@@ -329,12 +327,7 @@ namespace Contact
   {
     if (n_steps > 0 || !std::isfinite(convergence.residual()))
       check();
-    const bool progress =
-      guard.advance(convergence.residual_norm(), n_status_changes);
-    if (n_steps > 0)
-      pairing.advance(state, last, progress);
-    if (pairing.has_been_frozen(guard.stands_still()))
-      guard.move_on();
+    guard.advance(convergence.residual_norm(), n_status_changes);
     if (guard.stands_still() && !convergence.has_converged())
       throw NotConverged("Newton's method stands still: the residual is " +
                          brief(convergence.residual()) +
@@ -408,13 +401,7 @@ namespace Contact
       expected_way = state.largest_change(model, last);
     model.elasticity->end_first_step();
     last_residual = step.residual;
-    part          = part_until_touch();
-    if (part < 1)
-      {
-        state.solution.sadd(part, 1 - part, last);
-        model.discretization->constrain_update(state.solution,
-                                               state.load_factor);
-      }
+    part          = 1;
     remember_status();
     ++n_steps;
     return n;
@@ -525,38 +512,6 @@ namespace Contact
       }
     ++model.discretization->counters.active_set_changes;
     return true;
-  }
-
-
-
-  // Nothing in the linear problem stops a body that springs hold alone. The
-  // step ends behind the first touch of a point, and before a large turn.
-  template<int dim>
-  double NewtonState<dim>::part_until_touch() const
-  {
-    const auto &springs = model.elasticity->springs;
-    if (dim == 2 || springs.held().empty() || !model.interface)
-      return 1;
-    const ContactInterface<dim> &interface = *model.interface;
-    double                       part      = 1;
-    for (const ContactPoint<dim> &point : interface.points())
-      if (point.facing && point.status.kind == Status::open)
-        {
-          const double depth =
-            0.01 * interface.contact_pair(point).edge_length(point);
-          const double before = interface.state(point, last, last).gap;
-          const double gap = interface.state(point, state.solution, last).gap;
-          if (before > -0.5 * depth && gap < -depth)
-            part = std::min(part, (before + depth) / (before - gap));
-        }
-
-    GhostedVector update = state.solution;
-    update -= last;
-    const double largest  = 0.05; // [rad]
-    const double rotation = springs.largest_rotation(update);
-    return model.elasticity->is_linear()
-             ? part
-             : std::min(part, largest / std::max(rotation, largest));
   }
 
 

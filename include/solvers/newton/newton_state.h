@@ -17,8 +17,8 @@ namespace Contact
 
   /**
    * The state of Newton's method: the residual where it is, the status of the
-   * points there, and where the last step came from. The line search and the
-   * search for the active set are those of NewtonGlobalization.
+   * points there, and where the last step came from. What keeps the method on
+   * its way is NewtonGlobalization.
    */
   template<int dim>
   class NewtonState
@@ -52,7 +52,7 @@ namespace Contact
      * status, was too long: half of it, and half of that. Returns the residuals
      * of these attempts. Collective.
      */
-    std::vector<double> search_along_line();
+    std::vector<double> shorten_step();
 
     /// The state is where the next step begins. Throws NotConverged if it is
     /// no state of the bodies.
@@ -116,12 +116,11 @@ namespace Contact
     /// Before the first step and in balance: take the statuses that follow if
     /// the state is in balance under them, too. @p of_bodies is the right side
     /// without contact.
-    void   accept_equivalent_statuses(const GhostedVector &of_bodies);
-    bool   satisfies_contact_law() const;
-    void   check() const;
-    bool   friction_acts() const;
-    void   remember_status();
-    double part_until_touch() const;
+    void accept_equivalent_statuses(const GhostedVector &of_bodies);
+    bool satisfies_contact_law() const;
+    void check() const;
+    bool friction_acts() const;
+    void remember_status();
 
     /// Whether steps search for the statuses of their linear problem, as
     /// ActiveSetSearch does with multipliers.

@@ -20,7 +20,6 @@ namespace Contact
     : model(model)
     , parameters(parameters)
     , timer(timer)
-    , guard(parameters.solution.geometry_tolerance)
   {
   }
 
@@ -30,7 +29,8 @@ namespace Contact
   void Pairing<dim>::begin_level(LinearSystem<dim> &system)
   {
     this->system = &system;
-    freeze(false);
+    present.moving_geometry =
+      parameters.geometry(model.n_displacements()) == GeometryLoop::newton;
   }
 
 
@@ -51,20 +51,6 @@ namespace Contact
 
 
 
-  // The tangent knows how projections and normals move as long as they do.
-  template<int dim>
-  void Pairing<dim>::freeze(const bool frozen)
-  {
-    is_frozen = frozen;
-    present.moving_geometry =
-      parameters.geometry(model.n_displacements()) == GeometryLoop::newton &&
-      !frozen;
-    if (dim == 3 && frozen && model.interface)
-      model.interface->clear_changes();
-  }
-
-
-
   // Unsymmetric condensed matrices in 3-D have the stiffness of the pairing,
   // but for bodies that springs hold: it may be negative, and stronger.
   template<int dim>
@@ -72,20 +58,7 @@ namespace Contact
   {
     return present.moving_geometry ||
            (dim == 3 && follows_each_step() && model.interface->bounds_follow &&
-            (model.has_friction() || is_in_tangent) &&
-            model.elasticity->springs.held().empty());
-  }
-
-
-
-  template<int dim>
-  bool Pairing<dim>::use_consistent_tangent()
-  {
-    if (is_in_tangent || has_derivatives())
-      return false;
-    is_in_tangent = true;
-    is_in_tangent = has_derivatives();
-    return is_in_tangent;
+            model.has_friction() && model.elasticity->springs.held().empty());
   }
 
 
@@ -151,25 +124,10 @@ namespace Contact
 
 
   template<int dim>
-  void Pairing<dim>::renew(const GhostedVector &solution,
-                           Relaxation          &relaxation)
-  {
-    const double part =
-      relaxation.length(model.discretization->displacements(solution));
-    GhostedVector configuration = paired_at;
-    configuration.sadd(1 - part, part, solution);
-    pair(configuration);
-  }
-
-
-
-  template<int dim>
   void Pairing<dim>::begin_newton()
   {
-    guard      = PairingCycleControl(parameters.solution.geometry_tolerance);
-    relaxation = Relaxation();
+    n_renewals = 0;
     jump.reset();
-    freeze(false);
   }
 
 
@@ -184,23 +142,10 @@ namespace Contact
 
 
   template<int dim>
-  void Pairing<dim>::follow(const GhostedVector &solution,
-                            const bool           after_a_step)
+  void Pairing<dim>::follow(const GhostedVector &solution)
   {
-    if (!follows_each_step() || is_frozen)
-      return;
-    if (!after_a_step || has_derivatives())
-      {
-        extrapolation.forget();
-        pair_near_contact(solution);
-        return;
-      }
-    GhostedVector step = model.discretization->displacements(solution);
-    step -= model.discretization->displacements(paired_at);
-    const double  length        = extrapolation.length(step);
-    GhostedVector configuration = paired_at;
-    configuration.sadd(1 - length, length, solution);
-    pair_near_contact(length == 1 ? solution : configuration);
+    if (follows_each_step())
+      pair_near_contact(solution);
   }
 
 
@@ -221,52 +166,24 @@ namespace Contact
 
 
 
-  template<int dim>
-  void Pairing<dim>::advance(const IncrementState<dim> &state,
-                             const GhostedVector       &last,
-                             const bool                 progress)
-  {
-    if (!follows_each_step())
-      return;
-    guard.advance(model.interface->largest_change(state.solution, last),
-                  way(state),
-                  progress);
-  }
-
-
-
-  template<int dim>
-  bool Pairing<dim>::has_been_frozen(const bool stands_still)
-  {
-    if (!follows_each_step() || is_frozen ||
-        !(stands_still || guard.is_frozen()))
-      return false;
-    guard.freeze();
-    freeze(true);
-    return true;
-  }
-
-
-
   // The closest points must make no difference to the gaps, nor to where forces
   // act, if the pairing does not come to rest, or keeps edges. A jump does not
   // get smaller with the steps: its measure is the way of a whole increment.
   template<int dim>
-  bool Pairing<dim>::accepts(const IncrementState<dim> &state)
+  bool Pairing<dim>::accept(const IncrementState<dim> &state)
   {
     if (!follows_each_step())
       return true;
-    const bool rests = guard.accepts(misplacement(state), way(state));
+    const double tolerance = parameters.solution.geometry_tolerance;
+    const bool   rests     = misplacement(state) <= tolerance * way(state);
     if (rests && !keeps_facets)
       return true;
-    if (!(keeps_facets ? rests : guard.cycles()))
+    if (!(keeps_facets ? rests : cycles()))
       return false;
     const ProjectionMismatch found = mismatch_of(state);
-    if (!guard.accepts(found, way(state) / part))
+    if (found.gap > tolerance * way(state) / part || found.offset > tolerance)
       return false;
-    if (!found.is_below(Utilities::fixed_power<2>(
-                          parameters.solution.geometry_tolerance),
-                        way(state)))
+    if (!found.is_below(Utilities::fixed_power<2>(tolerance), way(state)))
       jump = found;
     return true;
   }
@@ -299,14 +216,14 @@ namespace Contact
   bool Pairing<dim>::renew(const GhostedVector &solution)
   {
     const bool edges_were_free = !keeps_facets;
-    if (edges_were_free && guard.cycles())
+    if (edges_were_free && cycles())
       {
         // Along one edge projections move smoothly again.
         begin_newton();
-        keeps_facets = !use_consistent_tangent();
+        keeps_facets = true;
       }
-    renew(solution, relaxation);
-    guard.count_renewal();
+    pair(solution);
+    ++n_renewals;
     return edges_were_free;
   }
 

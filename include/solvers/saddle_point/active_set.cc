@@ -30,10 +30,7 @@ namespace Contact
   {
     problem.collect(solution, u_start);
     Vector<double> corrected = update;
-    std::size_t    n_rounds  = 0;
-    if (!search(update, corrected, n_rounds) &&
-        !(interface.bounds_follow && search_by_turns(update, corrected)) &&
-        !search_by_pivoting(update, corrected))
+    if (!search(update, corrected) && !search_by_pivoting(update, corrected))
       return false;
     update = problem.complete(update, corrected);
     return true;
@@ -49,9 +46,9 @@ namespace Contact
   // all points that have changed, and pivoting comes to the same end by the
   // work of a few such: beyond 50 points the rounds get fewer.
   bool ActiveSetSearch::search(const Vector<double> &update,
-                               Vector<double>       &corrected,
-                               std::size_t          &n_rounds)
+                               Vector<double>       &corrected)
   {
+    std::size_t                        n_rounds = 0;
     std::set<std::vector<signed char>> seen{problem.signature()};
     bool                               one_by_one = false;
     const std::size_t                  n          = problem.points.size();
@@ -67,39 +64,6 @@ namespace Contact
         corrected = problem.solve_changes(update);
       }
     return true;
-  }
-
-
-
-  bool ActiveSetSearch::search_by_turns(const Vector<double> &update,
-                                        Vector<double>       &corrected)
-  {
-    // Only signs matter: bounds to a thousandth are enough.
-    const unsigned int max_turns = 20;
-    const double       tolerance = 1e-3;
-
-    for (unsigned int q = 0; q < problem.points.size(); ++q)
-      problem.points[q].status = interface.points()[q].status;
-    corrected            = update;
-    bool        is_found = true;
-    double      change   = 1;
-    std::size_t n_rounds = 0; // of all turns
-    {
-      const BoundsWhile<2> frozen(interface, /*follow=*/false);
-      for (unsigned int turn = 0;
-           turn < max_turns && change > tolerance && is_found;
-           ++turn)
-        {
-          change   = freeze_bounds(corrected);
-          is_found = search(update, corrected, n_rounds);
-        }
-    }
-    if (!is_found || change > tolerance)
-      return false;
-
-    // A point that has opened and closed again on the way has lost its bound.
-    corrected = problem.solve_changes(update);
-    return !update_statuses(corrected, /*one_by_one=*/false);
   }
 
 
@@ -154,23 +118,6 @@ namespace Contact
     problem.release_held();
     corrected = problem.solve_changes(update);
     return true;
-  }
-
-
-
-  double ActiveSetSearch::freeze_bounds(const Vector<double> &update)
-  {
-    double change = 0, largest = 0;
-    for (unsigned int q = 0; q < problem.points.size(); ++q)
-      {
-        const ContactPoint<2> &point = interface.points()[q];
-        const double           p     = problem.points[q].p_after(update);
-        const double bound = interface.contact_pair(point).law.bound(p);
-        change  = std::max(change, std::abs(bound - point.friction_bound));
-        largest = std::max(largest, bound);
-        interface.set_bound(q, bound);
-      }
-    return largest > 0 ? change / largest : 0;
   }
 
 

@@ -18,10 +18,7 @@ namespace Contact
    * where a point that changes its status costs one back substitution.
    *
    * With a bound of the shear that moves with the pressure the iteration may
-   * cycle. Then it is run with frozen bounds, a convex problem, and the bounds
-   * follow the pressures from turn to turn. That may fail as well, where
-   * friction is large beside what holds a body, as soft springs do. Lemke's
-   * method does not: see search_by_pivoting().
+   * cycle. Lemke's method does not: see search_by_pivoting().
    *
    * The step is one of sequential quadratic programming: the number of steps
    * does not grow with the number of points that were guessed wrong.
@@ -54,16 +51,8 @@ namespace Contact
 
   private:
     /// Find the active set under which @p corrected is the update, from the
-    /// @p update of the old one. Returns whether it was found in the rounds
-    /// that are left.
-    bool search(const Vector<double> &update,
-                Vector<double>       &corrected,
-                std::size_t          &n_rounds);
-
-    /// The same with bounds that are frozen in turns. Where this ends, the
-    /// statuses are those of the last turn.
-    bool search_by_turns(const Vector<double> &update,
-                         Vector<double>       &corrected);
+    /// @p update of the old one. Returns whether it was found.
+    bool search(const Vector<double> &update, Vector<double> &corrected);
 
     /**
      * The linearised problem by Lemke's method, see ContactComplementarity,
@@ -72,10 +61,6 @@ namespace Contact
      */
     bool search_by_pivoting(const Vector<double> &update,
                             Vector<double>       &corrected);
-
-    /// Freeze the bounds under the pressures of @p update. Returns the largest
-    /// change by the largest bound.
-    double freeze_bounds(const Vector<double> &update);
 
     /// Update the statuses under the @p update, all or only the first that
     /// changes. Returns whether there was one.

@@ -47,9 +47,7 @@ namespace Contact
                                       state.load_factor,
                                       step.residual,
                                       step.last_residual,
-                                      !searches          ? StatusSearch::none
-                                      : step.number == 0 ? StatusSearch::first
-                                                         : StatusSearch::later,
+                                      searches,
                                       rhs);
     if (system.has_unstable_bodies())
       screen << "      the stiffness of the bodies is not positive "

@@ -96,7 +96,7 @@ namespace Contact
                                 const double         load_factor,
                                 const double         residual,
                                 const double         last_residual,
-                                const StatusSearch   search,
+                                const bool           searches,
                                 GhostedVector       &rhs_and_update)
   {
     if (!factorization_serves(residual, last_residual))
@@ -107,7 +107,7 @@ namespace Contact
                              StressStiffness::with,
                              rhs_and_update);
     solve_factorized(rhs_and_update);
-    if (!interface || search == StatusSearch::none)
+    if (!interface || !searches)
       return true;
 
     // A body that springs hold is far from where contact will hold it.
@@ -118,10 +118,10 @@ namespace Contact
               .correct(solution, u_start, rhs_and_update))
           return true;
       }
-    return search_with_frozen_geometry(solution,
+    return !has_frozen_geometry() &&
+           search_with_frozen_geometry(solution,
                                        u_start,
                                        load_factor,
-                                       search == StatusSearch::first,
                                        rhs_and_update);
   }
 
@@ -134,53 +134,26 @@ namespace Contact
 
 
 
-  // Tresca's problem under the present bounds, which is convex, is a step
-  // towards the solution of Coulomb's if the search for that ends without one
-  // at first.
+  // If the search ends at the present statuses, take the Newton step with the
+  // linearised geometry under these statuses.
   bool
   SaddlePointSystem::search_with_frozen_geometry(const GhostedVector &solution,
                                                  const GhostedVector &u_start,
                                                  const double   load_factor,
-                                                 const bool     is_first,
                                                  GhostedVector &rhs_and_update)
   {
-    ContactLinearization standing = linearization;
-    standing.moving_geometry      = false;
-    if (!has_frozen_geometry() &&
-        search_under(standing, solution, u_start, load_factor, rhs_and_update))
-      return true;
-    if (!is_first || !interface->bounds_follow || !interface->has_friction())
-      return false;
-    interface->update_bounds(solution, u_start);
-    const BoundsWhile<2> frozen(*interface, /*follow=*/false);
-    return search_under(standing,
-                        solution,
-                        u_start,
-                        load_factor,
-                        rhs_and_update);
-  }
-
-
-
-  // If the search ends at the present statuses, take the Newton step with the
-  // linearised geometry under these statuses.
-  bool SaddlePointSystem::search_under(const ContactLinearization &standing,
-                                       const GhostedVector        &solution,
-                                       const GhostedVector        &u_start,
-                                       const double                load_factor,
-                                       GhostedVector &rhs_and_update)
-  {
-    const GhostedVector newton_step = rhs_and_update;
+    const ContactLinearization frozen{/*moving_geometry=*/false};
+    const GhostedVector        newton_step = rhs_and_update;
     assemble_and_factorize(solution,
                            u_start,
                            load_factor,
-                           standing,
+                           frozen,
                            StressStiffness::without,
                            rhs_and_update);
     solve_factorized(rhs_and_update);
 
     TimerOutput::Scope scope(timer, "active set");
-    ActiveSetSearch    search(discretization, *interface, solver, standing);
+    ActiveSetSearch    search(discretization, *interface, solver, frozen);
     const bool settled = search.correct(solution, u_start, rhs_and_update);
     if (!settled || search.keeps_statuses())
       rhs_and_update = newton_step;

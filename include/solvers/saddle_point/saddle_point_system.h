@@ -17,17 +17,6 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// Whether the statuses of the linearised problem are searched for in a
-  /// Newton step, and whether it is the first one.
-  enum class StatusSearch
-  {
-    none,
-    first,
-    later
-  };
-
-
-
   /**
    * The linear system of a Newton step in displacements and multipliers, a
    * saddle point: every contact discretization can have it, on one process. It
@@ -77,7 +66,7 @@ namespace Contact
      * The Newton update under the present statuses, from minus the residual
      * of bodies and contact. The factorization at hand may serve if the last
      * one reduced the residual well: @p residual, @p last_residual [-]. With
-     * @p search the active set is searched in the linearised problem; returns
+     * @p searches the active set is searched in the linearised problem; returns
      * whether that, if any, has come to an end.
      *
      * In large displacements and with geometry in the tangent the linearised
@@ -94,7 +83,7 @@ namespace Contact
                const double         load_factor,
                const double         residual,
                const double         last_residual,
-               const StatusSearch   search,
+               const bool           searches,
                GhostedVector       &rhs_and_update);
 
     /// Assemble and factorize the tangent in a state, under the present
@@ -130,13 +119,7 @@ namespace Contact
     bool search_with_frozen_geometry(const GhostedVector &solution,
                                      const GhostedVector &u_start,
                                      const double         load_factor,
-                                     const bool           is_first,
                                      GhostedVector       &rhs_and_update);
-    bool search_under(const ContactLinearization &standing,
-                      const GhostedVector        &solution,
-                      const GhostedVector        &u_start,
-                      const double                load_factor,
-                      GhostedVector              &rhs_and_update);
     void add_tangent_of_linear_bodies(const GhostedVector &solution);
 
     const Discretization<2>    &discretization;
