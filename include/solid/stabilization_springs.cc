@@ -117,6 +117,30 @@ namespace Contact
 
 
   template<int dim>
+  double
+  StabilizationSprings<dim>::largest_rotation(const GhostedVector &du) const
+  {
+    double largest = 0;
+    for (const CellTable<dim> &cell : cells)
+      if (stiffness.count(cell.piece) > 0)
+        {
+          double square = 0;
+          for (unsigned int axis = 0; axis < n_axes; ++axis)
+            {
+              const Vector<double> row   = rotation_row(cell, axis);
+              double               angle = 0;
+              for (unsigned int i = 0; i < row.size(); ++i)
+                angle += row[i] * du[cell.dofs[i]];
+              square += angle * angle;
+            }
+          largest = std::max(largest, std::sqrt(square));
+        }
+    return Utilities::MPI::max(largest, discretization.communicator);
+  }
+
+
+
+  template<int dim>
   double StabilizationSprings<dim>::rotation(const CellTable<dim> &cell,
                                              const Vector<double> &row,
                                              const GhostedVector  &u) const

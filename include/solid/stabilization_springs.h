@@ -100,6 +100,10 @@ namespace Contact
      */
     std::map<unsigned int, double> energy(const GhostedVector &u) const;
 
+    /// The largest rotation of a cell of the held pieces under the displacement
+    /// @p du, in the mean over the cell [rad]. Collective.
+    double largest_rotation(const GhostedVector &du) const;
+
     /// The volume of a piece by its area in 2-D [-]; of rings their mean
     /// circumference [mm]; in 3-D the edge of a cube of that volume [mm].
     double mean_depth(const unsigned int piece) const;

@@ -328,6 +328,8 @@ namespace Contact
     if (n_steps > 0 || !std::isfinite(convergence.residual()))
       check();
     guard.advance(convergence.residual_norm(), n_status_changes);
+    if (guard.stands_still() && pairing.has_been_frozen())
+      guard.forget();
     if (guard.stands_still() && !convergence.has_converged())
       throw NotConverged("Newton's method stands still: the residual is " +
                          brief(convergence.residual()) +
@@ -401,7 +403,13 @@ namespace Contact
       expected_way = state.largest_change(model, last);
     model.elasticity->end_first_step();
     last_residual = step.residual;
-    part          = 1;
+    part          = part_until_touch();
+    if (part < 1)
+      {
+        state.solution.sadd(part, 1 - part, last);
+        model.discretization->constrain_update(state.solution,
+                                               state.load_factor);
+      }
     remember_status();
     ++n_steps;
     return n;
@@ -512,6 +520,38 @@ namespace Contact
       }
     ++model.discretization->counters.active_set_changes;
     return true;
+  }
+
+
+
+  // Nothing in the linear problem stops a body that springs hold alone. The
+  // step ends behind the first touch of a point, and before a large turn.
+  template<int dim>
+  double NewtonState<dim>::part_until_touch() const
+  {
+    const auto &springs = model.elasticity->springs;
+    if (dim == 2 || springs.held().empty() || !model.interface)
+      return 1;
+    const ContactInterface<dim> &interface = *model.interface;
+    double                       part      = 1;
+    for (const ContactPoint<dim> &point : interface.points())
+      if (point.facing && point.status.kind == Status::open)
+        {
+          const double depth =
+            0.01 * interface.contact_pair(point).edge_length(point);
+          const double before = interface.state(point, last, last).gap;
+          const double gap = interface.state(point, state.solution, last).gap;
+          if (before > -0.5 * depth && gap < -depth)
+            part = std::min(part, (before + depth) / (before - gap));
+        }
+
+    GhostedVector update = state.solution;
+    update -= last;
+    const double largest  = 0.05; // [rad]
+    const double rotation = springs.largest_rotation(update);
+    return model.elasticity->is_linear()
+             ? part
+             : std::min(part, largest / std::max(rotation, largest));
   }
 
 

@@ -116,11 +116,12 @@ namespace Contact
     /// Before the first step and in balance: take the statuses that follow if
     /// the state is in balance under them, too. @p of_bodies is the right side
     /// without contact.
-    void accept_equivalent_statuses(const GhostedVector &of_bodies);
-    bool satisfies_contact_law() const;
-    void check() const;
-    bool friction_acts() const;
-    void remember_status();
+    void   accept_equivalent_statuses(const GhostedVector &of_bodies);
+    bool   satisfies_contact_law() const;
+    void   check() const;
+    bool   friction_acts() const;
+    void   remember_status();
+    double part_until_touch() const;
 
     /// Whether steps search for the statuses of their linear problem, as
     /// ActiveSetSearch does with multipliers.

@@ -29,8 +29,7 @@ namespace Contact
   void Pairing<dim>::begin_level(LinearSystem<dim> &system)
   {
     this->system = &system;
-    present.moving_geometry =
-      parameters.geometry(model.n_displacements()) == GeometryLoop::newton;
+    freeze(false);
   }
 
 
@@ -47,6 +46,20 @@ namespace Contact
   bool Pairing<dim>::follows_each_step() const
   {
     return follows() && parameters.solution.pairs_each_step();
+  }
+
+
+
+  // The tangent knows how projections and normals move as long as they do.
+  template<int dim>
+  void Pairing<dim>::freeze(const bool frozen)
+  {
+    is_frozen = frozen;
+    present.moving_geometry =
+      parameters.geometry(model.n_displacements()) == GeometryLoop::newton &&
+      !frozen;
+    if (dim == 3 && frozen && model.interface)
+      model.interface->clear_changes();
   }
 
 
@@ -128,6 +141,7 @@ namespace Contact
   {
     n_renewals = 0;
     jump.reset();
+    freeze(false);
   }
 
 
@@ -144,8 +158,19 @@ namespace Contact
   template<int dim>
   void Pairing<dim>::follow(const GhostedVector &solution)
   {
-    if (follows_each_step())
+    if (follows_each_step() && !is_frozen)
       pair_near_contact(solution);
+  }
+
+
+
+  template<int dim>
+  bool Pairing<dim>::has_been_frozen()
+  {
+    if (!follows_each_step() || is_frozen)
+      return false;
+    freeze(true);
+    return true;
   }
 
 

@@ -95,6 +95,10 @@ namespace Contact
     /// Before a Newton step: pair the bodies where they are.
     void follow(const GhostedVector &solution);
 
+    /// Newton's method stands still: freeze a pairing that moves. Returns
+    /// whether it has been frozen now.
+    bool has_been_frozen();
+
     /// Pair the points that have kept an earlier pairing in follow(), the
     /// surfaces being where they were then. Returns whether any may have.
     /// Collective.
@@ -121,6 +125,7 @@ namespace Contact
     std::string note(const double moment_imbalance) const;
 
   private:
+    void freeze(const bool frozen);
     bool has_derivatives() const;
     void pair(const GhostedVector &configuration, const PairingMode &mode);
 
@@ -142,6 +147,7 @@ namespace Contact
     // Of the present Newton's method: after three renewals where it had
     // converged the pairing cycles.
     unsigned int n_renewals = 0;
+    bool         is_frozen  = false;
 
     // Where a pairing is accepted whose closest points jump.
     std::optional<ProjectionMismatch> jump;
