@@ -328,7 +328,7 @@ namespace Contact
     if (n_steps > 0 || !std::isfinite(convergence.residual()))
       check();
     guard.advance(convergence.residual_norm(), n_status_changes);
-    if (guard.stands_still() && pairing.has_been_frozen())
+    if (guard.stands_still() && pairing.freeze())
       guard.forget();
     if (guard.stands_still() && !convergence.has_converged())
       throw NotConverged("Newton's method stands still: the residual is " +

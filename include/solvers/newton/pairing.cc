@@ -29,7 +29,7 @@ namespace Contact
   void Pairing<dim>::begin_level(LinearSystem<dim> &system)
   {
     this->system = &system;
-    freeze(false);
+    set_frozen(false);
   }
 
 
@@ -52,7 +52,7 @@ namespace Contact
 
   // The tangent knows how projections and normals move as long as they do.
   template<int dim>
-  void Pairing<dim>::freeze(const bool frozen)
+  void Pairing<dim>::set_frozen(const bool frozen)
   {
     is_frozen = frozen;
     present.moving_geometry =
@@ -141,7 +141,7 @@ namespace Contact
   {
     n_renewals = 0;
     jump.reset();
-    freeze(false);
+    set_frozen(false);
   }
 
 
@@ -165,11 +165,11 @@ namespace Contact
 
 
   template<int dim>
-  bool Pairing<dim>::has_been_frozen()
+  bool Pairing<dim>::freeze()
   {
     if (!follows_each_step() || is_frozen)
       return false;
-    freeze(true);
+    set_frozen(true);
     return true;
   }
 

@@ -38,7 +38,8 @@ namespace Contact
    * size of the slave: displacements then change by no more than that part of
    * themselves, see ProjectionMismatch. Otherwise points keep the edge that
    * they face, which goes on a little beyond its ends, and both are compared in
-   * the end.
+   * the end. Where Newton's method stands still the pairing is frozen until it
+   * has converged.
    */
   template<int dim>
   class Pairing
@@ -97,7 +98,7 @@ namespace Contact
 
     /// Newton's method stands still: freeze a pairing that moves. Returns
     /// whether it has been frozen now.
-    bool has_been_frozen();
+    bool freeze();
 
     /// Pair the points that have kept an earlier pairing in follow(), the
     /// surfaces being where they were then. Returns whether any may have.
@@ -125,7 +126,7 @@ namespace Contact
     std::string note(const double moment_imbalance) const;
 
   private:
-    void freeze(const bool frozen);
+    void set_frozen(const bool frozen);
     bool has_derivatives() const;
     void pair(const GhostedVector &configuration, const PairingMode &mode);
 
