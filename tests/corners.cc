@@ -53,10 +53,11 @@ namespace
 
     std::vector<ContactPoint<2>> mortar() const
     {
-      MultiplierSpace               multipliers;
-      const MortarDiscretization<2> rule(slave, master, discretization, {});
-      auto                          points = rule.make_points(multipliers);
-      rule.pair(points, u);
+      MultiplierSpace                multipliers;
+      const MortarDiscretization<2>  rule(slave, master, discretization, {});
+      auto                           points = rule.make_points(multipliers);
+      const BodyOverlap<2>::Surfaces surfaces{{{&slave}, {&master}}};
+      rule.pair(points, u, {}, {surfaces, u});
       return points;
     }
 
@@ -248,7 +249,7 @@ namespace
 
   /// Two projections over one line; the hole is within one edge of it, and
   /// edges end in it, too.
-  void projection points(const unsigned int degree)
+  void projection_points(const unsigned int degree)
   {
     headline("a master of two pieces, degree " + std::to_string(degree));
     for (const unsigned int n : {1, 2, 3, 4, 6, 12})
@@ -373,7 +374,7 @@ int main()
       round_a_corner(degree);
       corner_on_ground(degree, 20);
       corner_on_ground(degree, 45);
-      projection points(degree);
+      projection_points(degree);
       behind(degree);
       over_a_vertex(degree);
     }

@@ -186,11 +186,7 @@ namespace
                                    rhs,
                                    &model.matrix);
         ContactKernel<2>(model.interface)
-          .assemble(model.solution,
-                    model.start,
-                    {false, true},
-                    rhs,
-                    &model.matrix);
+          .assemble(model.solution, model.start, {false}, rhs, &model.matrix);
         for (unsigned int i = 0; i < model.n_dofs(); ++i)
           if (model.discretization.constraints.is_constrained(i))
             {
