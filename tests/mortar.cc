@@ -203,7 +203,7 @@ namespace
         ContactKernel<2>(interface).rows(point,
                                          model.solution,
                                          model.start,
-                                         {false, true},
+                                         {false},
                                          rows);
         const auto from = interface.state(point, model.solution, model.start);
         const auto to   = interface.state(point, other, model.start);

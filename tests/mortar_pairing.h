@@ -58,7 +58,8 @@ namespace Tests
                                          discretization,
                                          excluded);
       points = rule.make_points(multipliers);
-      rule.pair(points, u);
+      const BodyOverlap<2>::Surfaces surfaces{{{&slave}, {&master}}};
+      rule.pair(points, u, {}, {surfaces, u});
     }
 
     Point<2> position(const ContactPoint<2> &point, const unsigned int a) const
