@@ -82,8 +82,10 @@ namespace
       });
     }
 
-    ContactResults results() const
+    // Under the bounds that set() has made.
+    ContactResults results()
     {
+      const BoundsWhile<2> frozen(interface, /*follow=*/false);
       return contact_results(interface, *interface.pairs[0], solution, start);
     }
   };

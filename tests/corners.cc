@@ -255,18 +255,15 @@ namespace
     for (const unsigned int n : {1, 2, 3, 4, 6, 12})
       {
         MeshText mesh;
-        mesh.block("left projection_point", 3, 1, rectangle({-4, 0}, {-1, 1}));
-        mesh.block("right projection_point", 3, 1, rectangle({1, 0}, {4, 1}));
+        mesh.block("left foot", 3, 1, rectangle({-4, 0}, {-1, 1}));
+        mesh.block("right foot", 3, 1, rectangle({1, 0}, {4, 1}));
         mesh.block("low", n, 1, rectangle({-6, -1}, {6, 0}));
         const Pair                                pair(make_parameters(mesh,
-                                        {"left projection_point",
-                                                                        "right projection_point",
-                                                                        "low"},
+                                        {"left foot", "right foot", "low"},
                                         degree,
                                         "small strain"),
                         {"low top"},
-                        {"left projection_point bottom",
-                                                        "right projection_point bottom"});
+                        {"left foot bottom", "right foot bottom"});
         const auto                                points = pair.mortar();
         double                                    length = 0, smallest = 1;
         std::map<types::global_dof_index, double> loads;

@@ -67,7 +67,7 @@ namespace
          point.C[point.n_nodes - 1] *= 1.001;
        });
      }},
-    {"the projection_point shifted along the master",
+    {"the projection point shifted along the master",
      [](Checked &m) {
        m.change(Status::stick, [](ContactPoint<2> &point) {
          point.C[point.n_nodes - 1] += 0.01;

@@ -62,8 +62,8 @@ namespace
                       search.project(x, e + 1).clipped &&
                       !search.project(x, e + 1).beyond_end;
         }
-    check("the edge of the projection_point is found", right_edge && faces);
-    check_small("coordinate of the projection_point", error, 1e-13);
+    check("the edge of the projection point is found", right_edge && faces);
+    check_small("coordinate of the projection point", error, 1e-13);
     check("other edges answer with their nearer end", clamped);
 
     // The distance is measured to the projection.
@@ -152,9 +152,9 @@ namespace
         n_off += found.beyond_end;
         n_over += !found.beyond_end && std::abs(projection) > 1;
       }
-    check_small("coordinate of the projection_point", near, 1e-10);
+    check_small("coordinate of the projection point", near, 1e-10);
     check_small("the same beyond the center of curvature", far, 1e-10);
-    check("off the end where the projection_point is beyond the overhang",
+    check("off the end where the projection point is beyond the overhang",
           ends_right);
     check("points off the end and in the overhang were among them",
           n_off > 100 && n_over > 20);
@@ -199,7 +199,7 @@ namespace
           face_found && found.facet == (a > 0 ? 1 : 0) && !found.beyond_end &&
           std::abs(found.xi - (a > 0 ? 2 * x - 1 : 1 - 2 * x)) < 1e-13;
       }
-    check("from the inside the projection_point on the nearer face",
+    check("from the inside the projection point on the nearer face",
           face_found);
   }
 } // namespace
