@@ -651,8 +651,9 @@ namespace Contact
   //
   // An increment that does not converge leaves no trace but its record. The
   // state is that of the increment's start; the pattern of the matrix is made
-  // anew. A body that contact alone held may have come loose on the way: then
-  // it is held, too. Else the load is applied in smaller steps.
+  // anew. The tangent may have to know how the pairing changes, or a body that
+  // contact alone held may have come loose on the way: then it is held, too.
+  // Else the load is applied in smaller steps.
   template<int dim>
   bool ContactProblem<dim>::try_again(LoadSteps             &steps,
                                       const LoadSteps::Step &step,
@@ -668,6 +669,12 @@ namespace Contact
       model.interface->move_obstacles(step.from, step.from, state.solution);
     pairing.pair(state.solution);
 
+    if (pairing.use_consistent_tangent())
+      {
+        report.screen << "  once more with the pairing in the tangent"
+                      << std::endl;
+        return true;
+      }
     stabilization.stabilize_free_pieces(nullptr);
     if (stabilization.has_grown())
       return true;

@@ -71,7 +71,20 @@ namespace Contact
   {
     return present.moving_geometry ||
            (dim == 3 && follows_each_step() && model.interface->bounds_follow &&
-            model.has_friction() && model.elasticity->springs.held().empty());
+            (model.has_friction() || is_in_tangent) &&
+            model.elasticity->springs.held().empty());
+  }
+
+
+
+  template<int dim>
+  bool Pairing<dim>::use_consistent_tangent()
+  {
+    if (is_in_tangent || has_derivatives())
+      return false;
+    is_in_tangent = true;
+    is_in_tangent = has_derivatives();
+    return is_in_tangent;
   }
 
 
@@ -245,7 +258,7 @@ namespace Contact
       {
         // Along one edge projections move smoothly again.
         begin_newton();
-        keeps_facets = true;
+        keeps_facets = !use_consistent_tangent();
       }
     pair(solution);
     ++n_renewals;

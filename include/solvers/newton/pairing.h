@@ -112,6 +112,14 @@ namespace Contact
     /// other edges until now: four times at most.
     bool renew(const GhostedVector &solution);
 
+    /**
+     * In 3-D, without friction, the condensed matrix is symmetric and knows
+     * nothing of how the pairing changes with the displacements. Where that
+     * does not converge, it is unsymmetric from here on, and knows it. Returns
+     * whether it has become so.
+     */
+    bool use_consistent_tangent();
+
     /// Whether points have turned out to face two places in turn.
     bool jumps() const
     {
@@ -149,6 +157,9 @@ namespace Contact
     // converged the pairing cycles.
     unsigned int n_renewals = 0;
     bool         is_frozen  = false;
+
+    // Though there is no friction.
+    bool is_in_tangent = false;
 
     // Where a pairing is accepted whose closest points jump.
     std::optional<ProjectionMismatch> jump;
