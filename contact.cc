@@ -200,6 +200,7 @@ namespace Contact
     StressPeaks<dim> stress_peaks;
 
     bool is_smallest_step        = false; // of the load
+    bool coarser_start_failed    = false; // of the present increment
     bool open_stability_is_noted = false;
   };
 
@@ -440,6 +441,7 @@ namespace Contact
           stress_peaks.take(model, parameters.solids, state.solution);
         steps.accept(report.increment().newton_iterations);
         stabilization.end_increment();
+        coarser_start_failed = false;
 
         if (levels.may_be_last() && step.ends_increment)
           {
@@ -613,11 +615,12 @@ namespace Contact
 
   // @sect4{ContactProblem::has_coarser_start}
   //
-  // Parts of an increment that is cut start from where the last one ended.
+  // The end of the last increment on this mesh is another start, if that one
+  // leads nowhere, as it may among bodies that yield.
   template<int dim>
   bool ContactProblem<dim>::has_coarser_start(const LoadSteps::Step &step) const
   {
-    return levels.present() > 0 && step.is_whole;
+    return levels.present() > 0 && step.is_whole && !coarser_start_failed;
   }
 
 
@@ -669,6 +672,13 @@ namespace Contact
       model.interface->move_obstacles(step.from, step.from, state.solution);
     pairing.pair(state.solution);
 
+    if (has_coarser_start(step))
+      {
+        report.screen << "  once more from the end of the last increment"
+                      << std::endl;
+        coarser_start_failed = true;
+        return true;
+      }
     if (pairing.use_consistent_tangent())
       {
         report.screen << "  once more with the pairing in the tangent"
@@ -787,8 +797,9 @@ namespace Contact
 
       report.screen << "  geometry, turn " << n << std::endl;
       ++report.increment().geometry_iterations;
-      pairing.pair(state.solution);
-      if (n > 1 && !system->has_multipliers())
+      if (n == 1)
+        pairing.pair(state.solution);
+      else if (!system->has_multipliers())
         model.interface->release_parted(state.solution);
       solve_with_friction_loop();
 
@@ -809,7 +820,10 @@ namespace Contact
     };
     fixed_point("geometry loop ends with a change",
                 parameters.solution.max_geometry_iterations,
-                turn);
+                turn,
+                [&](Relaxation &relaxation) {
+                  pairing.renew(state.solution, relaxation);
+                });
   }
 
 
@@ -841,9 +855,11 @@ namespace Contact
            .empty())
       interface.raise_unknown_bounds();
 
-    const auto turn = [&](const unsigned int n) {
+    Vector<double> last_bounds;
+    const auto     turn = [&](const unsigned int n) {
       ++report.increment().friction_iterations;
       solve_newton();
+      last_bounds = interface.bounds();
       const double change =
         interface.update_bounds(state.solution, state.start);
       report.screen << "    friction, turn " << n << ": change of the bound "
@@ -851,9 +867,18 @@ namespace Contact
       return std::make_pair(change,
                             change <= parameters.solution.friction_tolerance);
     };
+    const auto renew = [&](Relaxation &relaxation) {
+      const double part = relaxation.length(GhostedVector(interface.bounds()));
+      if (part < 1)
+        {
+          last_bounds.sadd(1 - part, part, interface.bounds());
+          interface.set_bounds(last_bounds);
+        }
+    };
     fixed_point("friction loop ends with a change of the bound",
                 parameters.solution.max_friction_iterations,
-                turn);
+                turn,
+                renew);
   }
 
 
@@ -883,14 +908,14 @@ namespace Contact
                           step,
                           newton.convergence.residual(),
                           newton.n_changes());
-        report.record_halvings(newton.shorten_step());
+        report.record_halvings(newton.search_along_line());
         newton.accept();
 
         // No stable state has an indefinite tangent: it has to be known at the
         // solution itself, too, not only on the way. Coarser levels are starts:
         // there it is not looked for.
         const bool has_converged = newton.has_converged();
-        const bool is_accepted   = has_converged && pairing.accept(state);
+        const bool is_accepted   = has_converged && pairing.accepts(state);
         const bool is_judged =
           is_accepted && levels.may_be_last() && !system->has_multipliers();
         if (is_judged && !newton.has_tangent_of_state())

@@ -4,13 +4,14 @@
  * --------------------------------------------------------------------- */
 
 // Measures that keep a run going: the steps of the load factor, cut and grown
-// again; the guard of Newton's method.
+// again; the guard of Newton's method; the relaxation of fixed points.
 
 #include "solvers/newton/load_steps.h"
 
 #include <cmath>
 
 #include "solvers/newton/newton_globalization.h"
+#include "solvers/newton/relaxation.h"
 #include "tests.h"
 
 using namespace Tests;
@@ -91,12 +92,32 @@ namespace
 
 
 
-  // Proves when the method stands still, and when only one point may change.
+  // Proves that a residual may rise for ten steps, but then not above the last
+  // five, that what is no number never passes, when the method stands still,
+  // and when only one point may change.
   void check_guard()
   {
     headline("guard of Newton's method");
     NewtonGlobalization guard;
-    unsigned int        still = 0;
+    check("anything to begin with", guard.accepts(1e30));
+    check("but a number", !guard.accepts(std::nan("")));
+    guard.advance(1, 1);
+    guard.advance(0.1, 1);
+    for (unsigned int i = 0; i < 9; ++i)
+      {
+        check("uphill for a while", guard.accepts(1e3));
+        guard.advance(0.5, 1);
+      }
+    guard.advance(0.5, 1);
+    check("then not above the largest of the last five",
+          guard.accepts(0.5) && !guard.accepts(0.6));
+    guard.advance(0.05, 1);
+    check("progress: uphill again", guard.accepts(1e3));
+    guard.forget();
+    check("after a new start anything", guard.accepts(7));
+
+    guard.forget();
+    unsigned int still = 0;
     while (!guard.stands_still())
       {
         guard.advance(0.5 - 1e-3 * still, 0);
@@ -148,6 +169,32 @@ namespace
       }
     check("growth by 31 for nine steps", n == 9);
   }
+
+
+
+  // Proves that x -> s x + 1 is solved for slopes of -2.5 and -20 as well, and
+  // in as many steps as without where it contracts from one side.
+  void check_relaxation()
+  {
+    headline("fixed points");
+    for (const double slope : {0.5, -0.5, -2.5, -20.})
+      {
+        Relaxation    relaxation;
+        GhostedVector x(1);
+        unsigned int  n = 0;
+        double        defect;
+        do
+          {
+            GhostedVector image(1);
+            image[0]          = slope * x[0] + 1;
+            defect            = std::abs(image[0] - x[0]);
+            const double part = relaxation.length(image);
+            x.sadd(1 - part, part, image);
+          }
+        while (defect > 1e-6 && ++n < 1000);
+        std::cout << "  slope " << slope << ": " << n << " turns" << std::endl;
+      }
+  }
 } // namespace
 
 
@@ -158,5 +205,6 @@ int main()
   check_cuts();
   check_guard();
   check_runaway();
+  check_relaxation();
   return 0;
 }

@@ -11,26 +11,31 @@
 
 #include "base/errors.h"
 #include "base/string_utilities.h"
+#include "solvers/newton/relaxation.h"
 
 namespace Contact
 {
   /**
    * A fixed-point iteration. @p turn(n), n from 1, solves under what is frozen
-   * and returns the change since it was, and whether that is small enough.
-   * Throws NotConverged after @p max_turns, with what @p change_of names.
+   * and returns the change since it was, and whether that is small enough;
+   * where it is not, @p renew(relaxation) makes what is frozen next. Throws
+   * NotConverged after @p max_turns, with what @p change_of names.
    */
-  template<class Turn>
+  template<class Turn, class Renew>
   void fixed_point(const std::string &change_of,
                    const unsigned int max_turns,
-                   const Turn        &turn)
+                   const Turn        &turn,
+                   const Renew       &renew)
   {
-    double change = 0;
+    double     change = 0;
+    Relaxation relaxation;
     for (unsigned int n = 1; n <= max_turns; ++n)
       {
         const std::pair<double, bool> end = turn(n);
         if (end.second)
           return;
         change = end.first;
+        renew(relaxation);
       }
     throw NotConverged("the " + change_of + " of " + brief(change) + " after " +
                        std::to_string(max_turns) + " turns");

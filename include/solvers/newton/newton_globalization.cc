@@ -10,6 +10,15 @@
 
 namespace Contact
 {
+  bool NewtonGlobalization::accepts(const double residual) const
+  {
+    return std::isfinite(residual) &&
+           (residuals.empty() || n_uphill < patience ||
+            residual <= *std::max_element(residuals.begin(), residuals.end()));
+  }
+
+
+
   bool NewtonGlobalization::is_lost(const double residual,
                                     const double tolerance) const
   {
@@ -19,21 +28,25 @@ namespace Contact
 
 
 
-  void NewtonGlobalization::advance(const double       residual,
+  bool NewtonGlobalization::advance(const double       residual,
                                     const unsigned int n_changes)
   {
-    const bool is_same =
-      n_changes == 0 && std::abs(residual - last) < residual / 50;
+    const bool is_same = n_changes == 0 && !residuals.empty() &&
+                         std::abs(residual - residuals.back()) < residual / 50;
     n_still = is_same ? n_still + 1 : 0;
-    last    = residual;
-    best    = std::min(best, residual);
+    residuals.push_back(residual);
+    if (residuals.size() > memory)
+      residuals.pop_front();
+    n_uphill = residual < best ? 0 : n_uphill + 1;
+    best     = std::min(best, residual);
+    return n_uphill == 0;
   }
 
 
 
   bool NewtonGlobalization::stands_still() const
   {
-    return n_still >= longest_rest;
+    return n_still >= memory;
   }
 
 
@@ -41,7 +54,9 @@ namespace Contact
   void NewtonGlobalization::forget()
   {
     n_still = 0;
-    last = best = std::numeric_limits<double>::max();
+    residuals.clear();
+    best     = std::numeric_limits<double>::max();
+    n_uphill = 0;
   }
 
 

@@ -125,7 +125,7 @@ namespace Contact
   void NewtonState<dim>::evaluate_with(const bool single_changes)
   {
     const MPI_Comm communicator = model.discretization->communicator;
-    pairing.follow(state.solution);
+    pairing.follow(state.solution, /*after_a_step=*/n_steps > 0);
     {
       TimerOutput::Scope scope(timer, "residual");
       smallest_volume = smallest_of_all_ranks(evaluate_bodies(), communicator);
@@ -294,7 +294,7 @@ namespace Contact
 
 
   template<int dim>
-  std::vector<double> NewtonState<dim>::shorten_step()
+  std::vector<double> NewtonState<dim>::search_along_line()
   {
     if (n_steps == 0)
       return {};
@@ -305,7 +305,9 @@ namespace Contact
 
     std::vector<double> residuals;
     const unsigned int  max_halvings = 6;
-    while (residuals.size() < max_halvings && !is_admissible())
+    while (residuals.size() < max_halvings &&
+           (!is_admissible() || (n_status_changes == 0 &&
+                                 !guard.accepts(convergence.residual_norm()))))
       {
         state.solution.sadd(0.5, 0.5, last);
         part *= 0.5;
@@ -327,9 +329,12 @@ namespace Contact
   {
     if (n_steps > 0 || !std::isfinite(convergence.residual()))
       check();
-    guard.advance(convergence.residual_norm(), n_status_changes);
-    if (guard.stands_still() && pairing.freeze())
-      guard.forget();
+    const bool progress =
+      guard.advance(convergence.residual_norm(), n_status_changes);
+    if (n_steps > 0)
+      pairing.advance(state, last, progress);
+    if (pairing.has_been_frozen(guard.stands_still()))
+      guard.move_on();
     if (guard.stands_still() && !convergence.has_converged())
       throw NotConverged("Newton's method stands still: the residual is " +
                          brief(convergence.residual()) +

@@ -17,8 +17,8 @@ namespace Contact
 
   /**
    * The state of Newton's method: the residual where it is, the status of the
-   * points there, and where the last step came from. What keeps the method on
-   * its way is NewtonGlobalization.
+   * points there, and where the last step came from. The line search and the
+   * search for the active set are those of NewtonGlobalization.
    */
   template<int dim>
   class NewtonState
@@ -52,7 +52,7 @@ namespace Contact
      * status, was too long: half of it, and half of that. Returns the residuals
      * of these attempts. Collective.
      */
-    std::vector<double> shorten_step();
+    std::vector<double> search_along_line();
 
     /// The state is where the next step begins. Throws NotConverged if it is
     /// no state of the bodies.

@@ -20,6 +20,7 @@ namespace Contact
     : model(model)
     , parameters(parameters)
     , timer(timer)
+    , guard(parameters.solution.geometry_tolerance)
   {
   }
 
@@ -29,7 +30,7 @@ namespace Contact
   void Pairing<dim>::begin_level(LinearSystem<dim> &system)
   {
     this->system = &system;
-    set_frozen(false);
+    freeze(false);
   }
 
 
@@ -52,7 +53,7 @@ namespace Contact
 
   // The tangent knows how projections and normals move as long as they do.
   template<int dim>
-  void Pairing<dim>::set_frozen(const bool frozen)
+  void Pairing<dim>::freeze(const bool frozen)
   {
     is_frozen = frozen;
     present.moving_geometry =
@@ -150,11 +151,25 @@ namespace Contact
 
 
   template<int dim>
+  void Pairing<dim>::renew(const GhostedVector &solution,
+                           Relaxation          &relaxation)
+  {
+    const double part =
+      relaxation.length(model.discretization->displacements(solution));
+    GhostedVector configuration = paired_at;
+    configuration.sadd(1 - part, part, solution);
+    pair(configuration);
+  }
+
+
+
+  template<int dim>
   void Pairing<dim>::begin_newton()
   {
-    n_renewals = 0;
+    guard      = PairingCycleControl(parameters.solution.geometry_tolerance);
+    relaxation = Relaxation();
     jump.reset();
-    set_frozen(false);
+    freeze(false);
   }
 
 
@@ -169,21 +184,23 @@ namespace Contact
 
 
   template<int dim>
-  void Pairing<dim>::follow(const GhostedVector &solution)
-  {
-    if (follows_each_step() && !is_frozen)
-      pair_near_contact(solution);
-  }
-
-
-
-  template<int dim>
-  bool Pairing<dim>::freeze()
+  void Pairing<dim>::follow(const GhostedVector &solution,
+                            const bool           after_a_step)
   {
     if (!follows_each_step() || is_frozen)
-      return false;
-    set_frozen(true);
-    return true;
+      return;
+    if (!after_a_step || has_derivatives())
+      {
+        extrapolation.forget();
+        pair_near_contact(solution);
+        return;
+      }
+    GhostedVector step = model.discretization->displacements(solution);
+    step -= model.discretization->displacements(paired_at);
+    const double  length        = extrapolation.length(step);
+    GhostedVector configuration = paired_at;
+    configuration.sadd(1 - length, length, solution);
+    pair_near_contact(length == 1 ? solution : configuration);
   }
 
 
@@ -204,24 +221,52 @@ namespace Contact
 
 
 
+  template<int dim>
+  void Pairing<dim>::advance(const IncrementState<dim> &state,
+                             const GhostedVector       &last,
+                             const bool                 progress)
+  {
+    if (!follows_each_step())
+      return;
+    guard.advance(model.interface->largest_change(state.solution, last),
+                  way(state),
+                  progress);
+  }
+
+
+
+  template<int dim>
+  bool Pairing<dim>::has_been_frozen(const bool stands_still)
+  {
+    if (!follows_each_step() || is_frozen ||
+        !(stands_still || guard.is_frozen()))
+      return false;
+    guard.freeze();
+    freeze(true);
+    return true;
+  }
+
+
+
   // The closest points must make no difference to the gaps, nor to where forces
   // act, if the pairing does not come to rest, or keeps edges. A jump does not
   // get smaller with the steps: its measure is the way of a whole increment.
   template<int dim>
-  bool Pairing<dim>::accept(const IncrementState<dim> &state)
+  bool Pairing<dim>::accepts(const IncrementState<dim> &state)
   {
     if (!follows_each_step())
       return true;
-    const double tolerance = parameters.solution.geometry_tolerance;
-    const bool   rests     = misplacement(state) <= tolerance * way(state);
+    const bool rests = guard.accepts(misplacement(state), way(state));
     if (rests && !keeps_facets)
       return true;
-    if (!(keeps_facets ? rests : cycles()))
+    if (!(keeps_facets ? rests : guard.cycles()))
       return false;
     const ProjectionMismatch found = mismatch_of(state);
-    if (found.gap > tolerance * way(state) / part || found.offset > tolerance)
+    if (!guard.accepts(found, way(state) / part))
       return false;
-    if (!found.is_below(Utilities::fixed_power<2>(tolerance), way(state)))
+    if (!found.is_below(Utilities::fixed_power<2>(
+                          parameters.solution.geometry_tolerance),
+                        way(state)))
       jump = found;
     return true;
   }
@@ -254,14 +299,14 @@ namespace Contact
   bool Pairing<dim>::renew(const GhostedVector &solution)
   {
     const bool edges_were_free = !keeps_facets;
-    if (edges_were_free && cycles())
+    if (edges_were_free && guard.cycles())
       {
         // Along one edge projections move smoothly again.
         begin_newton();
         keeps_facets = !use_consistent_tangent();
       }
-    pair(solution);
-    ++n_renewals;
+    renew(solution, relaxation);
+    guard.count_renewal();
     return edges_were_free;
   }
 

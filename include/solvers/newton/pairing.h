@@ -13,8 +13,10 @@
 #include "contact/interface/contact_kernel.h"
 #include "model/increment_state.h"
 #include "parameters/parameters.h"
+#include "solvers/newton/aitken.h"
 #include "solvers/newton/linear_system.h"
-#include "solvers/newton/projection_mismatch.h"
+#include "solvers/newton/pairing_cycle_control.h"
+#include "solvers/newton/relaxation.h"
 
 namespace Contact
 {
@@ -25,21 +27,6 @@ namespace Contact
    * method: under which displacements it is made, whether the tangent knows how
    * it moves with the bodies, and whether a state may be accepted that is not
    * the one it was made under.
-   *
-   * Renewing it before each step converges where the surfaces are smooth. Where
-   * a slave point passes a vertex of the master, it may be paired with the
-   * edges on either side in turn, and no state is a solution under the pairing
-   * it leads to. Then points are paired anew where Newton's method has
-   * converged, until the surfaces are within the geometry tolerance of that
-   * place. After three turns the pairing jumps between two states for good.
-   * Either is accepted, with a note, if the gaps of the closest points differ
-   * from its own by no more than this tolerance of the way of a whole
-   * increment, and if these move the forces by no more than that part of the
-   * size of the slave: displacements then change by no more than that part of
-   * themselves, see ProjectionMismatch. Otherwise points keep the edge that
-   * they face, which goes on a little beyond its ends, and both are compared in
-   * the end. Where Newton's method stands still the pairing is frozen until it
-   * has converged.
    */
   template<int dim>
   class Pairing
@@ -88,17 +75,29 @@ namespace Contact
     /// points in a state that was accepted [mm].
     double shift_of_projections(const IncrementState<dim> &state) const;
 
+    /// Pair again in a fixed-point iteration that has led to @p solution: where
+    /// it jumps to and fro, on the way.
+    void renew(const GhostedVector &solution, Relaxation &relaxation);
+
     /// An increment begins, or the @p part of one that was cut, and Newton's
     /// method.
     void begin_increment(const double part);
     void begin_newton();
 
-    /// Before a Newton step: pair the bodies where they are.
-    void follow(const GhostedVector &solution);
+    /// Before a Newton step: pair the bodies where they are. If the tangent
+    /// does not know how the pairing moves with them, and steps in one and the
+    /// same direction become but slowly shorter, where these lead to.
+    void follow(const GhostedVector &solution, const bool after_a_step);
 
-    /// Newton's method stands still: freeze a pairing that moves. Returns
-    /// whether it has been frozen now.
-    bool freeze();
+    /// A Newton step has led from @p last to the state; progress is the
+    /// smallest residual so far. See PairingCycleControl.
+    void advance(const IncrementState<dim> &state,
+                 const GhostedVector       &last,
+                 const bool                 progress);
+
+    /// Freeze the pairing if the guard says so, or if Newton's method stands
+    /// still under one that moves: returns whether it has been frozen now.
+    bool has_been_frozen(const bool stands_still);
 
     /// Pair the points that have kept an earlier pairing in follow(), the
     /// surfaces being where they were then. Returns whether any may have.
@@ -106,7 +105,7 @@ namespace Contact
     bool complete();
 
     /// Whether the solution under this pairing is one.
-    bool accept(const IncrementState<dim> &state);
+    bool accepts(const IncrementState<dim> &state);
 
     /// If it is not, pair anew. Returns whether points have been free to face
     /// other edges until now: four times at most.
@@ -134,15 +133,11 @@ namespace Contact
     std::string note(const double moment_imbalance) const;
 
   private:
-    void set_frozen(const bool frozen);
+    void freeze(const bool frozen);
     bool has_derivatives() const;
     void pair(const GhostedVector &configuration, const PairingMode &mode);
 
     ProjectionMismatch mismatch_of(const IncrementState<dim> &state) const;
-    bool               cycles() const
-    {
-      return n_renewals >= 3;
-    }
 
     const ContactModel<dim> &model;
     const Parameters::All   &parameters;
@@ -152,14 +147,13 @@ namespace Contact
     ContactLinearization present{};
     GhostedVector        paired_at;
     bool                 is_complete = true; // no point has an earlier pairing
+    AitkenExtrapolation  extrapolation;
 
-    // Of the present Newton's method: after three renewals where it had
-    // converged the pairing cycles.
-    unsigned int n_renewals = 0;
-    bool         is_frozen  = false;
-
-    // Though there is no friction.
-    bool is_in_tangent = false;
+    // Of the present Newton's method.
+    PairingCycleControl guard;
+    Relaxation          relaxation;
+    bool                is_frozen     = false;
+    bool                is_in_tangent = false; // though there is no friction
 
     // Where a pairing is accepted whose closest points jump.
     std::optional<ProjectionMismatch> jump;
