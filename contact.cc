@@ -206,7 +206,7 @@ namespace Contact
 
 
 
-  // What is estimated is so in 2-D.
+  // Errors are estimated in 2-D.
   template<>
   ProbeErrors ContactProblem<2>::estimate_errors();
   template<>

@@ -101,7 +101,7 @@ int main()
 {
   const Part corner{{0.2, 0.2}, {1, 1}};
   check("a multiplier of its own", corner, {{3, 1.}});
-  check("hanging, one heir is on the facet", corner, {{1, .5}, {7, .5}});
+  check("hanging, one receiver is on the facet", corner, {{1, .5}, {7, .5}});
   check("hanging, both receivers are beyond the facet",
         corner,
         {{7, .5}, {9, .5}});

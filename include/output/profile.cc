@@ -119,14 +119,14 @@ namespace Contact
     {
       for (unsigned int n = 0; n < rows.size(); ++n)
         if (!slave.parents[n].empty())
-          for (const auto &[heir, part] : slave.receivers(n))
+          for (const auto &[receiver, part] : slave.receivers(n))
             {
-              rows[n].gap += part * rows[heir].gap;
-              rows[n].slip += part * rows[heir].slip;
-              rows[n].slip_vector += part * rows[heir].slip_vector;
-              rows[n].shear += part * rows[heir].shear;
-              rows[n].shear_vector += part * rows[heir].shear_vector;
-              rows[n].status = std::max(rows[n].status, rows[heir].status);
+              rows[n].gap += part * rows[receiver].gap;
+              rows[n].slip += part * rows[receiver].slip;
+              rows[n].slip_vector += part * rows[receiver].slip_vector;
+              rows[n].shear += part * rows[receiver].shear;
+              rows[n].shear_vector += part * rows[receiver].shear_vector;
+              rows[n].status = std::max(rows[n].status, rows[receiver].status);
             }
     }
 

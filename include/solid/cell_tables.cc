@@ -145,10 +145,10 @@ namespace Contact
       // By node the bound ones that hand over to it, and the factors.
       std::vector<std::vector<std::pair<unsigned int, double>>> takes(
         free.size());
-      for (const auto &[node, parents] : bound)
+      for (const auto &[node, leaders] : bound)
         {
           free.erase(std::find(free.begin(), free.end(), node));
-          for (const auto &[leader, factor] : parents)
+          for (const auto &[leader, factor] : leaders)
             takes[leader].emplace_back(node, factor);
         }
 

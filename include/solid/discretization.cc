@@ -136,7 +136,7 @@ namespace Contact
 
     prescribed.clear();
     ties.clear();
-    parents.clear();
+    leaders.clear();
     updates_vanish = true;
     collect_vertex_dofs();
     gather_named_points();

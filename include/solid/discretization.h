@@ -179,7 +179,7 @@ namespace Contact
         }
     }
 
-    /// Bring rigid boundaries of large displacement, whose parents a step has
+    /// Bring rigid boundaries of large displacement, whose leaders a step has
     /// moved, to where these are, and nodes that are held along normals to
     /// where they have to be, the round-off of the way there off. Collective.
     void project_on_rigid_motions(GhostedVector &u,
@@ -297,7 +297,7 @@ namespace Contact
               const std::string &name,
               const std::function<Prescribed<dim>(const PlaceOfNode &)> &at);
     void collect_formulas(const unsigned int component);
-    void hold_leaders_of_hanging_nodes();
+    void hold_parents_of_hanging_nodes();
     void collect_ties();
     void collect_rigid();
     void choose_rigid_leaders(RigidBoundary<dim> &boundary);
@@ -314,7 +314,7 @@ namespace Contact
     std::vector<typename SupportMotion<dim>::Formula>          formulas;
     std::map<types::global_dof_index, Prescribed<dim>>         prescribed;
     std::map<types::global_dof_index, types::global_dof_index> ties;
-    std::set<types::global_dof_index>                          parents;
+    std::set<types::global_dof_index>                          leaders;
     const std::set<types::material_id>                         small_strain;
     std::vector<RigidBoundary<dim>>                            rigid;
     std::set<types::global_dof_index>                          rigid_dofs;

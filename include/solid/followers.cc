@@ -18,14 +18,14 @@ namespace Contact
 {
   namespace
   {
-    /// Add nodes in a row as parents with the same factor.
+    /// Add nodes in a row as leaders with the same factor.
     void add_leaders(const unsigned int first,
                      const unsigned int n,
                      const double       factor,
                      BoundNode         &bound)
     {
       for (unsigned int node = first; node < first + n; ++node)
-        bound.parents.emplace_back(node, factor);
+        bound.leaders.emplace_back(node, factor);
     }
 
 
@@ -36,8 +36,8 @@ namespace Contact
     void free_centre_of_face(const unsigned int      face,
                              std::vector<BoundNode> &bound)
     {
-      auto &of_cell = bound.back().parents;
-      for (const auto &[node, factor] : bound[face].parents)
+      auto &of_cell = bound.back().leaders;
+      for (const auto &[node, factor] : bound[face].leaders)
         of_cell[node].second -= factor / 2;
       of_cell.emplace_back(bound[face].node, 0.5);
       bound.erase(bound.begin() + face);
@@ -59,7 +59,7 @@ namespace Contact
 
 
   // FE_Q(2) numbers the corners 0-7, the mid-sides 8-19, the centres of faces
-  // 20-25, the centre 26. The parents of the centre are in this order.
+  // 20-25, the centre 26. The leaders of the centre are in this order.
   template<>
   std::vector<BoundNode> bound_nodes<3>()
   {
@@ -134,7 +134,7 @@ namespace Contact
                       !seen.insert(index).second)
                     continue;
                   constraints.add_line(index);
-                  for (const auto &[node, factor] : follower.parents)
+                  for (const auto &[node, factor] : follower.leaders)
                     constraints.add_entry(index, dof(node), factor);
                 }
             }

@@ -24,7 +24,7 @@ namespace Contact
   struct BoundNode
   {
     unsigned int                                 node;
-    std::vector<std::pair<unsigned int, double>> parents;
+    std::vector<std::pair<unsigned int, double>> leaders;
   };
 
   /**
@@ -55,7 +55,7 @@ namespace Contact
   /**
    * The unknowns that follow others: hanging nodes, bound centres, ties;
    * without supports. The constraints of an update no longer know of those
-   * whose parents a support fixes.
+   * whose leaders a support fixes.
    */
   template<int dim>
   AffineConstraints<double>

@@ -281,7 +281,7 @@ namespace Contact
 
 
   template<int dim>
-  std::vector<types::global_dof_index> RigidBoundary<dim>::parents() const
+  std::vector<types::global_dof_index> RigidBoundary<dim>::leaders() const
   {
     std::vector<Dof> dofs;
     for (const Leader &leader : all_leaders)
@@ -372,8 +372,8 @@ namespace Contact
 
 
 
-  // Newton's method, without which the parents and the targets would be met but
-  // to the first order. Where a step has moved parents too far for any motion,
+  // Newton's method, without which the leaders and the targets would be met but
+  // to the first order. Where a step has moved leaders too far for any motion,
   // three nodes tell it.
   template<int dim>
   typename RigidBoundary<dim>::Motion
@@ -423,7 +423,7 @@ namespace Contact
   {
     const Motion       motion = this->motion(u, targets);
     const Tensor<2, 6> A      = inverse(motion, targets);
-    const auto         leads  = parents();
+    const auto         leads  = leaders();
     const unsigned int first  = 6 - leads.size();
     const double       length = extent();
     std::vector<Line>  lines;

@@ -30,7 +30,7 @@ namespace Contact
    *   delta u = delta U + omega x r,   r = R (X - P), or X - P.
    * As many unknowns of its nodes as motions are free lead, and all others
    * follow them: no unknowns are added. Of large displacements the followers go
-   * with the next update to where the parents are, on the present tangent.
+   * with the next update to where the leaders are, on the present tangent.
    *
    * Forces and moments are forces on three nodes (in 2-D two) with this
    * resultant about P, where it is now.
@@ -72,7 +72,7 @@ namespace Contact
       Tensor<2, 3> R;
     };
 
-    /// Rings move along their axis alone. The parents are no choice yet.
+    /// Rings move along their axis alone. The leaders are no choice yet.
     RigidBoundary(const std::string       &name,
                   const std::vector<Node> &nodes,
                   const bool               is_large,
@@ -82,23 +82,23 @@ namespace Contact
     const std::vector<Node> nodes;
     const bool              is_large;
 
-    /// Choose the parents in a motion; unknowns that supports hold come first.
-    /// Returns those of these that are no parents, because they follow from
-    /// others and what is prescribed.
+    /// Choose the leaders in a motion; unknowns that supports hold come first.
+    /// Returns the unknowns of @p held that cannot be leaders: others or what
+    /// is prescribed determine them.
     std::vector<Dof> choose_leaders(const Motion        &motion,
                                     const Targets       &targets,
                                     const std::set<Dof> &held);
 
-    /// The smallest part [-] of what one of the parents adds to the others:
+    /// The smallest part [-] of what one of the leaders adds to the others:
     /// near zero they tell a motion badly.
     double quality(const Motion &motion, const Targets &targets) const;
 
-    std::vector<Dof> parents() const;
+    std::vector<Dof> leaders() const;
 
-    /// The motion that the parents among @p u and the @p targets tell.
+    /// The motion that the leaders among @p u and the @p targets tell.
     Motion motion(const GhostedVector &u, const Targets &targets) const;
 
-    /// All unknowns but those of @p held follow the parents.
+    /// All unknowns but those of @p held follow the leaders.
     std::vector<Line> lines(const GhostedVector &u,
                             const Targets       &targets,
                             const std::set<Dof> &held) const;
@@ -148,7 +148,7 @@ namespace Contact
     std::vector<Row> fixed_rows(const Motion  &motion,
                                 const Targets &targets) const;
 
-    /// The motions by the parents: their columns come last.
+    /// The motions by the leaders: their columns come last.
     Tensor<2, 6> inverse(const Motion &motion, const Targets &targets) const;
 
     /// Impose the targets.

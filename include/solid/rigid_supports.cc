@@ -99,7 +99,7 @@ namespace Contact
             nodes.push_back({node, in_space<dim>(X - P)});
             for (const auto dof : node)
               {
-                if (ties.count(dof) + parents.count(dof) > 0 ||
+                if (ties.count(dof) + leaders.count(dof) > 0 ||
                     normal_supports.line(dof) != nullptr)
                   throw InputError("the rigid boundary '" + name +
                                      "' shares a node with a group that is "
@@ -126,7 +126,7 @@ namespace Contact
 
 
 
-  // Supports of single nodes take the place of parents. Where there are more
+  // Supports of single nodes take the place of leaders. Where there are more
   // than motions, they have to say the same.
   template<int dim>
   void Discretization<dim>::choose_rigid_leaders(RigidBoundary<dim> &boundary)
@@ -202,7 +202,7 @@ namespace Contact
 
 
 
-  // A boundary that turns may need other parents. Ranks know their state but
+  // A boundary that turns may need other leaders. Ranks know their state but
   // for round-off: one chooses.
   template<int dim>
   void Discretization<dim>::update_rigid_leaders(const GhostedVector &u,

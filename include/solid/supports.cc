@@ -148,7 +148,7 @@ namespace Contact
       if (axisymmetric)
         hold_axis();
     });
-    hold_leaders_of_hanging_nodes();
+    hold_parents_of_hanging_nodes();
     for (const auto &of_rank :
          Utilities::MPI::all_gather(communicator, prescribed))
       prescribed.insert(of_rank.begin(), of_rank.end());
@@ -205,7 +205,7 @@ namespace Contact
   // of that cell's own node, which it follows. One that follows several is
   // where these are, which need not be where a formula wants it.
   template<int dim>
-  void Discretization<dim>::hold_leaders_of_hanging_nodes()
+  void Discretization<dim>::hold_parents_of_hanging_nodes()
   {
     if (!mesh.triangulation.has_hanging_nodes())
       return;
@@ -291,7 +291,7 @@ namespace Contact
                                       "is tied to another point",
                                  entry,
                                  "tie both to the same point");
-              parents.insert(leader);
+              leaders.insert(leader);
             };
             visit_group(c, entry, name, tie);
           }
@@ -510,7 +510,7 @@ namespace Contact
   template<int dim>
   bool Discretization<dim>::is_tied(const types::global_dof_index dof) const
   {
-    return ties.count(dof) > 0 || parents.count(dof) > 0 || is_rigid(dof);
+    return ties.count(dof) > 0 || leaders.count(dof) > 0 || is_rigid(dof);
   }
 
   template class Discretization<2>;

@@ -308,8 +308,8 @@ namespace Contact
 
 
 
-  // Where the matrix-free multigrid was the choice of the program and
-  // stalls, a solver with a matrix goes on. Of an indefinite matrix in
+  // A solver with a matrix goes on where the matrix-free multigrid was the
+  // choice of the program and stalls. Of an indefinite matrix in
   // large displacement it is not the solver's fault.
   template<int dim>
   unsigned int

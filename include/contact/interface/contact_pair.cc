@@ -378,9 +378,9 @@ namespace Contact
                 return {{middle, 4. / 3}, {end, -1. / 3}};
             }
     std::vector<std::pair<unsigned int, double>> parts;
-    for (const auto &[heir, part] : slave.receivers(node))
-      if (multiplier(heir) != numbers::invalid_unsigned_int)
-        parts.emplace_back(multiplier(heir), part);
+    for (const auto &[receiver, part] : slave.receivers(node))
+      if (multiplier(receiver) != numbers::invalid_unsigned_int)
+        parts.emplace_back(multiplier(receiver), part);
     return parts;
   }
 

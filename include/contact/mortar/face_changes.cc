@@ -144,8 +144,8 @@ namespace Contact
         add_node(master.nodes[nodes[b]].dofs,
                  -shape.value[b],
                  -outer_product(gradient, point.normal));
-        for (const auto &[leader, part] : master.followed_by(nodes[b]))
-          gradients[master.nodes[leader].dofs] += part * gradient;
+        for (const auto &[parent, part] : master.followed_by(nodes[b]))
+          gradients[master.nodes[parent].dofs] += part * gradient;
       }
 
     change.C.reinit(point.n_nodes, change.dofs.size());

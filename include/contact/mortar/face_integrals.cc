@@ -125,21 +125,21 @@ namespace Contact
 
 
 
-  // The other heir of a hanging node has it all if one has no multiplier.
+  // The other receiver of a hanging node has it all if one has no multiplier.
   void FaceIntegrals::find_carriers(const std::set<unsigned int> &excluded)
   {
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
       for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
         {
           double whole = 0;
-          for (const auto &heir : slave.receivers(slave.facets[e].nodes[a]))
-            if (excluded.count(heir.first) == 0)
+          for (const auto &receiver : slave.receivers(slave.facets[e].nodes[a]))
+            if (excluded.count(receiver.first) == 0)
               {
-                carries[e][a].push_back(heir);
-                whole += heir.second;
+                carries[e][a].push_back(receiver);
+                whole += receiver.second;
               }
-          for (auto &heir : carries[e][a])
-            heir.second /= whole;
+          for (auto &receiver : carries[e][a])
+            receiver.second /= whole;
         }
   }
 

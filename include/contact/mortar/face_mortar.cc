@@ -25,8 +25,8 @@ namespace Contact
         if (surface.parents[node].empty())
           values[node] += value_of(integrals);
         else
-          for (const auto &[leader, part] : surface.parents[node])
-            values[leader] += part * value_of(integrals);
+          for (const auto &[parent, part] : surface.parents[node])
+            values[parent] += part * value_of(integrals);
       return values;
     }
 
@@ -396,8 +396,8 @@ namespace Contact
       if (surface.parents[node].empty())
         return;
       Tensor<1, 3> beside(surface.nodes[node].X);
-      for (const auto &[leader, part] : surface.parents[node])
-        beside -= part * Tensor<1, 3>(surface.nodes[leader].X);
+      for (const auto &[parent, part] : surface.parents[node])
+        beside -= part * Tensor<1, 3>(surface.nodes[parent].X);
       sum -= integral / integrals.weight * beside;
     };
     for (const auto &[a, integral] : integrals.slave)

@@ -28,10 +28,10 @@ namespace Contact
           return;
         }
       Tensor<1, 3> beside(master.nodes[node].X);
-      for (const auto &[leader, part] : master.parents[node])
+      for (const auto &[parent, part] : master.parents[node])
         {
-          parts[leader] += part * value;
-          beside -= part * Tensor<1, 3>(master.nodes[leader].X);
+          parts[parent] += part * value;
+          beside -= part * Tensor<1, 3>(master.nodes[parent].X);
         }
       left += value * beside;
     }

@@ -295,9 +295,9 @@ namespace Contact
     if (parents[node].empty())
       return {{node, 1.}};
     std::vector<Part> receivers;
-    for (const auto &[leader, part] : parents[node])
+    for (const auto &[parent, part] : parents[node])
       if (part > 0)
-        receivers.emplace_back(leader, 0.5);
+        receivers.emplace_back(parent, 0.5);
     return receivers;
   }
 
@@ -412,13 +412,13 @@ namespace Contact
             if (a < GeometryInfo<dim - 1>::vertices_per_cell)
               for (const unsigned int other : same_side(e, a))
                 near.insert(other);
-        for (Part &leader : parents[i])
-          for (const unsigned int copy : copies[leader.first])
+        for (Part &parent : parents[i])
+          for (const unsigned int copy : copies[parent.first])
             if (std::any_of(side_of[copy].begin(),
                             side_of[copy].end(),
                             [&](const auto e) { return near.count(e) > 0; }))
               {
-                leader.first = copy;
+                parent.first = copy;
                 break;
               }
       }

@@ -108,7 +108,7 @@ namespace Contact
           rows.add_index(leader);
         for (const RigidBoundary<dim> &rigid :
              discretization.rigid_boundaries())
-          for (const auto leader : rigid.parents())
+          for (const auto leader : rigid.leaders())
             rows.add_index(leader);
         rows.compress();
       }

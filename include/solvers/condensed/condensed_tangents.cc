@@ -155,11 +155,11 @@ namespace Contact
           dofs.push_back(entry.first);
     make_unique();
 
-    columns.parents.resize(dofs.size());
+    columns.leaders.resize(dofs.size());
     for (const Dof dof : of_locals)
       {
         const unsigned int column = columns.number(dof);
-        Row               &row    = columns.parents[column];
+        Row               &row    = columns.leaders[column];
         if (!lines.is_constrained(dof))
           row.emplace_back(column, 1.);
         else
@@ -200,7 +200,7 @@ namespace Contact
         if (const Dof dof = (*locals[l].columns)[j]; all || follows(dof))
           sum.add(columns.number(dof), (*locals[l].tangent)(i, j));
     for (const auto &[column, value] : sum.take())
-      for (const auto &[leader, part] : columns.parents[column])
+      for (const auto &[leader, part] : columns.leaders[column])
         sum.add(leader, part * value);
     return sum.take();
   }

@@ -67,7 +67,7 @@ namespace Contact
     struct Columns
     {
       Dofs             dofs; // in ascending order: their numbers
-      std::vector<Row> parents;
+      std::vector<Row> leaders;
 
       unsigned int number(const Dof dof) const;
     };

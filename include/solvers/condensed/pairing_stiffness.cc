@@ -18,7 +18,7 @@ namespace Contact
     /// beside.
     template<int dim>
     std::map<types::global_dof_index, Parts>
-    leaders_of_hanging_nodes(const ContactInterface<dim> &interface)
+    parents_of_hanging_nodes(const ContactInterface<dim> &interface)
     {
       std::map<types::global_dof_index, Parts> parents;
       const auto add = [&](const Surface<dim> &surface) {
@@ -28,8 +28,8 @@ namespace Contact
               {
                 Parts &parts = parents[surface.nodes[n].dofs[i]];
                 parts.clear();
-                for (const auto &[leader, part] : surface.parents[n])
-                  parts.emplace_back(surface.nodes[leader].dofs[i], part);
+                for (const auto &[parent, part] : surface.parents[n])
+                  parts.emplace_back(surface.nodes[parent].dofs[i], part);
               }
       };
       for (const auto &contact_pair : interface.pairs)
@@ -58,8 +58,8 @@ namespace Contact
         {
           parts.emplace_back();
           if (const auto found = parents.find(dof); found != parents.end())
-            for (const auto &[leader, part] : found->second)
-              parts.back().emplace_back(number_of(leader), part);
+            for (const auto &[parent, part] : found->second)
+              parts.back().emplace_back(number_of(parent), part);
           else
             parts.back().emplace_back(number_of(dof), 1.);
         }
@@ -133,7 +133,7 @@ namespace Contact
                                const GhostedVector         &u_start)
   {
     std::vector<PairingStiffness<dim>> all;
-    const auto parents = leaders_of_hanging_nodes(interface);
+    const auto parents = parents_of_hanging_nodes(interface);
     for (const ContactPoint<dim> &point : interface.points())
       {
         const PairingChange<dim> &change = point.change;

@@ -282,8 +282,8 @@ namespace Contact
 
 
 
-  // Where the pairing is at rest, no projection point has moved further than
-  // the surfaces.
+  // A pairing at rest has no projection point that has moved further than the
+  // surfaces.
   template<int dim>
   double
   Pairing<dim>::shift_of_projections(const IncrementState<dim> &state) const

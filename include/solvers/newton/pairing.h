@@ -71,8 +71,8 @@ namespace Contact
     double misplacement(const IncrementState<dim> &state) const;
     double way(const IncrementState<dim> &state) const;
 
-    /// How far the projection points of the forces may be from the closest
-    /// points in a state that was accepted [mm].
+    /// The distance that the projection points of the forces may have from the
+    /// closest points in a state that was accepted [mm].
     double shift_of_projections(const IncrementState<dim> &state) const;
 
     /// Pair again in a fixed-point iteration that has led to @p solution: where

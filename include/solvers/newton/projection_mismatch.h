@@ -13,7 +13,7 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * What the closest points would change in a state that was found under
+   * The changes that the closest points make to a state that was found under
    * another pairing.
    *
    * With r = sum C_a x_a, from the master to the slave at a point, and t its
