@@ -79,7 +79,7 @@ space = both("space", "nested_space", "Refinement/Levels=1", "Element/Degree=2",
              "Element/Centre node=free", ranks=(1, 2))
 if space:
     held = [s["displacements_on_a_process"] / s["unknowns"]["displacement"]
-            for s in 3-D[1:]]
+            for s in space[1:]]
     check("a process holds its part", held[1] < 0.8 < held[0], held)
 slipping = both("space, hanging nodes, friction", "nested_space_friction",
                 "Refinement/Levels=2", "Refinement/Strategy=adaptive",

@@ -273,8 +273,9 @@ namespace
       }
     model.interface->set_points(points);
 
-    Random        random;
-    GhostedVector du(model.n_dofs()), by_terms(du);
+    const BoundsWhile<3> frozen(*model.interface, /*follow=*/false);
+    Random               random;
+    GhostedVector        du(model.n_dofs()), by_terms(du);
     for (double &value : du)
       value = random(-1, 1);
     for (const auto &term :

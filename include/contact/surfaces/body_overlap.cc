@@ -34,13 +34,13 @@ namespace Contact
 
   namespace
   {
-    /// Whether a place is beyond an end of a surface, where the body has a side
-    /// that is not known.
+    /// Whether a place is beyond an end of a surface, by more than @p slack,
+    /// where the body has a side that is not known.
     template<int dim>
     bool is_beyond_end(const DeformedSurface<dim> &surface,
                        const Projection<dim>      &projection_point,
                        const Point<dim>           &x,
-                       const double                round_off)
+                       const double                slack)
     {
       const auto &facet = surface.surface.facets[projection_point.facet];
       for (unsigned int s = 0; s < facet.n_sides; ++s)
@@ -51,7 +51,7 @@ namespace Contact
               surface.normal(projection_point.facet, projection_point.xi);
             const Tensor<1, dim> r =
               x - surface.position(projection_point.facet, projection_point.xi);
-            return (r - (r * n) * n).norm() > round_off;
+            return (r - (r * n) * n).norm() > slack;
           }
       return false;
     }
@@ -97,9 +97,10 @@ namespace Contact
                         return behind(twin.first, twin.second);
                       });
         const bool is_nearer = distance < nearest - same;
+        beyond               = DeformedSurface<dim>::overhang * length;
         is_behind            = is_here && (is_behind || is_nearer);
         is_beyond =
-          is_nearer && is_beyond_end(surface, projection_point, x, same);
+          is_nearer && is_beyond_end(surface, projection_point, x, beyond);
         nearest = std::min(nearest, distance);
         beyond  = DeformedSurface<dim>::overhang * length;
       }

@@ -34,8 +34,8 @@ namespace Contact
 
     /// Whether the bodies overlap between a place @p x of the body @p of_x and
     /// a place @p y of the other one. Places no further outside of a body than
-    /// DeformedSurface::overhang times the length of the closest facet count as
-    /// inside.
+    /// DeformedSurface::overhang times the length of the closest facet, also
+    /// beyond an end of its surfaces, count as inside.
     bool is_between(const Point<dim>  &x,
                     const unsigned int of_x,
                     const Point<dim>  &y) const;
