@@ -191,7 +191,7 @@ def platen():
             ("of degree 2", {**plane, "Element/Degree": 2}, 1),
             ("with hanging nodes", {**plane, **adaptive}, 1),
             ("in 3-D", space, 1), ("in 3-D, two processes", space, 2)):
-        down = "z" if "space" in what else "y"
+        down = "z" if "3-D" in what else "y"
         head, base, sole, ground = (
             ("Head", "Base", "Sole", "Ground") if down == "y" else
             ("B_Head", "A_Base", "B_Sole", "A_Ground"))
@@ -341,10 +341,10 @@ def interference():
             check(f"interference, {what}", False, said[:400])
             continue
         give = 2 / 1000. + (3 / 3000. if len(bodies) > 1 else 0)
-        across = 9 if "space" in what else 3
+        across = 9 if "3-D" in what else 3
         expected = delta / give * across
-        base = "A_Low" if "space" in what else "Base"
-        forces = [i["reactions"][base]["z" if "space" in what else "y"]
+        base = "A_Low" if "3-D" in what else "Base"
+        forces = [i["reactions"][base]["z" if "3-D" in what else "y"]
                   for i in summary["increments"]]
         check(f"interference, {what}",
               abs(forces[1] - expected) < 1e-9 * expected and

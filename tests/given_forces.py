@@ -284,10 +284,10 @@ def preloaded():
                  [force, force / area, force / area / modulus * 6], 1e-9)
         shared = scene(f"{what}, in a sleeve", "bolt", {
             **entries, **more, "Boundary conditions/Tied y":
-            "Upper_y1: Upper_011, Sleeve_y1: Upper_011" if "space" in what
+            "Upper_y1: Upper_011, Sleeve_y1: Upper_011" if "3-D" in what
             else "Upper_y1: P, Sleeve_y1: P",
             "Boundary conditions/Force y":
-            f"{'Upper_011' if 'space' in what else 'P'}: {load}",
+            f"{'Upper_011' if '3-D' in what else 'P'}: {load}",
             "Boundary conditions/Histories": "Force y: max(0, 2*t - 1)",
             "Contact/Preload end": 0.5})
         if shared:
