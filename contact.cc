@@ -140,7 +140,6 @@ namespace Contact
     void        solve_level();
     ProbeErrors estimate_errors();
     void        solve_increment(const LoadSteps::Step &step);
-    bool        is_continuable(const LoadSteps::Step &step) const;
     void        check_turns() const;
     void        check_ways() const;
     bool        has_coarser_start(const LoadSteps::Step &step) const;
@@ -200,7 +199,6 @@ namespace Contact
     StressPeaks<dim> stress_peaks;
 
     bool is_smallest_step        = false; // of the load
-    bool coarser_start_failed    = false; // of the present increment
     bool open_stability_is_noted = false;
   };
 
@@ -441,7 +439,6 @@ namespace Contact
           stress_peaks.take(model, parameters.solids, state.solution);
         steps.accept(report.increment().newton_iterations);
         stabilization.end_increment();
-        coarser_start_failed = false;
 
         if (levels.may_be_last() && step.ends_increment)
           {
@@ -531,11 +528,7 @@ namespace Contact
         stabilization.stabilize_free_pieces(model.interface.get());
         model.interface->begin_to_touch(state.solution);
       }
-    stabilization.begin_increment();
     newton.begin_increment(/*starts_elsewhere=*/has_coarser_start(step));
-    if (is_continuable(step) && newton.continue_last_increment())
-      report.screen << "  starts where the last increment leads to"
-                    << std::endl;
 
     solve_with_stabilization();
     if (system->has_multipliers())
@@ -556,22 +549,6 @@ namespace Contact
     postprocessor.record_increment();
     newton.convergence.accept();
     report.end_increment();
-  }
-
-
-
-  // @sect4{ContactProblem::is_continuable}
-  //
-  // Bodies that yield in small strain, and go on to: their first step would be
-  // that of elastic ones. Not behind a cut, where another start is what may
-  // help, nor from a coarser level, which knows the increment itself.
-  template<int dim>
-  bool ContactProblem<dim>::is_continuable(const LoadSteps::Step &step) const
-  {
-    return step.is_whole && levels.present() == 0 &&
-           model.elasticity->changes_by_yielding() &&
-           !stabilization.is_needed() &&
-           !(model.interface && !model.interface->free_motions().empty());
   }
 
 
@@ -615,12 +592,11 @@ namespace Contact
 
   // @sect4{ContactProblem::has_coarser_start}
   //
-  // The end of the last increment on this mesh is another start, if that one
-  // leads nowhere, as it may among bodies that yield.
+  // Behind a cut an increment starts at the end of the last one on this mesh.
   template<int dim>
   bool ContactProblem<dim>::has_coarser_start(const LoadSteps::Step &step) const
   {
-    return levels.present() > 0 && step.is_whole && !coarser_start_failed;
+    return levels.present() > 0 && step.is_whole;
   }
 
 
@@ -672,13 +648,6 @@ namespace Contact
       model.interface->move_obstacles(step.from, step.from, state.solution);
     pairing.pair(state.solution);
 
-    if (has_coarser_start(step))
-      {
-        report.screen << "  once more from the end of the last increment"
-                      << std::endl;
-        coarser_start_failed = true;
-        return true;
-      }
     if (pairing.use_consistent_tangent())
       {
         report.screen << "  once more with the pairing in the tangent"
@@ -686,8 +655,6 @@ namespace Contact
         return true;
       }
     stabilization.stabilize_free_pieces(nullptr);
-    if (stabilization.has_grown())
-      return true;
     if (steps.cut())
       {
         report.screen << "  cut in half" << std::endl;
@@ -908,7 +875,7 @@ namespace Contact
                           step,
                           newton.convergence.residual(),
                           newton.n_changes());
-        report.record_halvings(newton.search_along_line());
+        report.record_halvings(newton.shorten_step());
         newton.accept();
 
         // No stable state has an indefinite tangent: it has to be known at the
@@ -943,8 +910,8 @@ namespace Contact
                           << pairing.misplacement(state) << " mm of "
                           << pairing.way(state) << " mm since they were paired"
                           << std::endl;
-            if (newton.pair_anew())
-              max_steps = step + limit;
+            newton.pair_anew();
+            max_steps = step + limit;
             continue;
           }
 

@@ -24,11 +24,6 @@ namespace Contact
     GhostedVector start;
     double        load_factor = 0, start_factor = 0;
 
-    /// The end of the increment if it went on as the last one did. Of
-    /// bodies that yield; none in the first increment of a run or of a level,
-    /// and behind one that did not converge.
-    GhostedVector continued;
-
     /// Undeformed, without forces.
     void reinit(const ContactModel<dim> &model)
     {
@@ -40,8 +35,6 @@ namespace Contact
     void
     begin(const ContactModel<dim> &model, const double from, const double to)
     {
-      if (model.elasticity->changes_by_yielding())
-        go_on(to - from);
       start_factor = from;
       load_factor  = to;
       start        = solution;
@@ -79,14 +72,6 @@ namespace Contact
     }
 
   private:
-    void go_on(const double length)
-    {
-      const double last = load_factor - start_factor;
-      continued         = last > 0 ? solution : GhostedVector();
-      if (last > 0)
-        continued.sadd(1 + length / last, -length / last, start);
-    }
-
     std::vector<ContactPoint<dim>> points_at_start;
   };
 } // namespace Contact

@@ -161,12 +161,7 @@ namespace Contact
         here.overlap              = [&](const auto &x, const auto &y) {
           return bodies.is_between(x, 0, y);
         };
-        pair_with_master(point,
-                         here,
-                         master_now,
-                         discretization,
-                         u,
-                         mode.keeps_edges);
+        pair_with_master(point, here, master_now, discretization, u);
         differentiate(point, u, mode);
         changed = changed || point.nodes != old_nodes;
 

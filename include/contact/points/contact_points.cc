@@ -368,16 +368,10 @@ namespace Contact
                         const NormalCone<dim>      &directions,
                         const DeformedSurface<dim> &master,
                         const Discretization<dim>  &discretization,
-                        const GhostedVector        &u,
-                        const bool                  keeps_facet)
+                        const GhostedVector        &u)
   {
-    const Point<dim> x = slave_position(point, u);
-    Projection<dim>  projection;
-    if (keeps_facet && point.facing)
-      projection =
-        master.project(x, point.master_facet, DeformedSurface<dim>::overhang);
-    if (!keeps_facet || !point.facing || projection.clipped)
-      projection = master.closest_facing(x, directions);
+    const Projection<dim> projection =
+      master.closest_facing(slave_position(point, u), directions);
     const double beyond = (largest_coordinate(projection.xi) - 1) / 2 *
                           master.surface.reference_length(projection.facet);
     point.facing       = !projection.beyond_end && beyond <= directions.reach;
@@ -438,8 +432,7 @@ namespace Contact
                                           const NormalCone<2> &,
                                           const DeformedSurface<2> &,
                                           const Discretization<2> &,
-                                          const GhostedVector &,
-                                          const bool);
+                                          const GhostedVector &);
   template void          pair_with_obstacle(ContactPoint<2> &,
                                             const Obstacle<2> &,
                                             const Discretization<2> &,
@@ -463,8 +456,7 @@ namespace Contact
                                           const NormalCone<3> &,
                                           const DeformedSurface<3> &,
                                           const Discretization<3> &,
-                                          const GhostedVector &,
-                                          const bool);
+                                          const GhostedVector &);
   template void          pair_with_obstacle(ContactPoint<3> &,
                                             const Obstacle<3> &,
                                             const Discretization<3> &,

@@ -157,10 +157,6 @@ namespace Contact
     /// Compute the derivatives of the pairing, which the tangent needs.
     bool with_derivatives = false;
 
-    /// A point that faces an edge keeps it as long as its projection is no
-    /// further beyond an end than DeformedSurface::overhang.
-    bool keeps_edges = false;
-
     /// In 3-D open points of the mortar discretization may keep an earlier
     /// pairing where the surfaces around them do not touch each other and their
     /// gap is still positive: that they stay open is all that is asked of them.
@@ -185,8 +181,7 @@ namespace Contact
                         const NormalCone<dim>      &directions,
                         const DeformedSurface<dim> &master,
                         const Discretization<dim>  &discretization,
-                        const GhostedVector        &u,
-                        const bool                  keeps_facet = false);
+                        const GhostedVector        &u);
 
   /// The master side of a point at its projection: nodes and coefficients, with
   /// their derivatives in 2-D, normal and tangents.

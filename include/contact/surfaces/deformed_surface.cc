@@ -172,12 +172,11 @@ namespace Contact
   template<int dim>
   std::pair<double, double>
   DeformedSurface<dim>::range(const unsigned int facet,
-                              const unsigned int k,
-                              const double       extension) const
+                              const unsigned int k) const
   {
     const auto &ends = surface.facets[facet].ends_face;
-    return {-1 - std::max(extension, ends[2 * k] ? beyond_ends : 0.),
-            1 + std::max(extension, ends[2 * k + 1] ? beyond_ends : 0.)};
+    return {ends[2 * k] ? -1 - beyond_ends : -1.,
+            ends[2 * k + 1] ? 1 + beyond_ends : 1.};
   }
 
 
@@ -522,13 +521,12 @@ namespace Contact
   // Outside, the closest point is on one of the sides.
   template<int dim>
   Projection<dim> DeformedSurface<dim>::project(const Point<dim>  &x,
-                                                const unsigned int facet,
-                                                const double extension) const
+                                                const unsigned int facet) const
   {
     const auto nodes = facet_positions(facet);
     std::array<std::pair<double, double>, dim - 1> box;
     for (unsigned int k = 0; k < dim - 1; ++k)
-      box[k] = range(facet, k, extension);
+      box[k] = range(facet, k);
     const auto inside = [&](FacetPoint<dim> xi) {
       for (unsigned int k = 0; k < dim - 1; ++k)
         coordinate(xi, k) =

@@ -159,11 +159,10 @@ namespace Contact
     /// Bezier: it lies within their convex hull, however it bends.
     std::vector<Point<dim>> hull(const unsigned int facet) const;
 
-    /// The closest point of one facet, which at sides goes on by @p extension
-    /// in its coordinates, at ends of faces by the overhang.
+    /// The closest point of one facet, which goes on at ends of faces by the
+    /// overhang.
     Projection<dim> project(const Point<dim>  &x,
-                            const unsigned int facet,
-                            const double       extension = 0) const;
+                            const unsigned int facet) const;
 
     /// Squared distance of a point to its projection [mm^2].
     double distance_square(const Point<dim>      &x,
@@ -220,8 +219,7 @@ namespace Contact
     /// The interval of a coordinate of a facet, with the overhang at an end of
     /// a face.
     std::pair<double, double> range(const unsigned int facet,
-                                    const unsigned int k,
-                                    const double       extension = 0) const;
+                                    const unsigned int k) const;
 
     /// Newton's method for the closest point from @p xi, with the coordinate
     /// @p fixed as it is.

@@ -10,15 +10,6 @@
 
 namespace Contact
 {
-  bool NewtonGlobalization::accepts(const double residual) const
-  {
-    return std::isfinite(residual) &&
-           (residuals.empty() || n_uphill < patience ||
-            residual <= *std::max_element(residuals.begin(), residuals.end()));
-  }
-
-
-
   bool NewtonGlobalization::is_lost(const double residual,
                                     const double tolerance) const
   {
@@ -31,22 +22,20 @@ namespace Contact
   bool NewtonGlobalization::advance(const double       residual,
                                     const unsigned int n_changes)
   {
-    const bool is_same = n_changes == 0 && !residuals.empty() &&
-                         std::abs(residual - residuals.back()) < residual / 50;
-    n_still = is_same ? n_still + 1 : 0;
-    residuals.push_back(residual);
-    if (residuals.size() > memory)
-      residuals.pop_front();
-    n_uphill = residual < best ? 0 : n_uphill + 1;
-    best     = std::min(best, residual);
-    return n_uphill == 0;
+    const bool is_same =
+      n_changes == 0 && std::abs(residual - last) < residual / 50;
+    n_still                = is_same ? n_still + 1 : 0;
+    const bool is_smallest = residual < best;
+    last                   = residual;
+    best                   = std::min(best, residual);
+    return is_smallest;
   }
 
 
 
   bool NewtonGlobalization::stands_still() const
   {
-    return n_still >= memory;
+    return n_still >= max_still;
   }
 
 
@@ -54,9 +43,7 @@ namespace Contact
   void NewtonGlobalization::forget()
   {
     n_still = 0;
-    residuals.clear();
-    best     = std::numeric_limits<double>::max();
-    n_uphill = 0;
+    last = best = std::numeric_limits<double>::max();
   }
 
 

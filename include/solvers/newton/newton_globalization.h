@@ -6,7 +6,6 @@
 #ifndef contact_newton_globalization_h
 #define contact_newton_globalization_h
 
-#include <deque>
 #include <limits>
 
 namespace Contact
@@ -16,17 +15,10 @@ namespace Contact
    * running away and the active set from cycling, without being in the way
    * where the method converges.
    *
-   * Runaway: a step is too long if the norm of the residual rises above the
-   * largest of the last five steps (Grippo, Lampariello and Lucidi, SIAM J.
-   * Numer. Anal. 23, 1986): it need not fall where an active set is looked for,
-   * nor where a slender body turns, which the first step stretches. So the line
-   * search begins when ten steps in a row have not come below the smallest
-   * residual so far (the watchdog technique, R. M. Chamberlain, M. J. D.
-   * Powell, C. Lemarechal and H. C. Pedersen, Math. Prog. Study 16, 1982).
-   *
-   * While points change their status there is no line search, and steps may
-   * lead away for ever. The next step cancels the residual to its round-off
-   * only: where that is above the tolerance, the method is lost.
+   * Runaway: the residual need not fall where an active set is looked for, nor
+   * where a slender body turns, which the first step stretches. But the next
+   * step cancels it to its round-off only: where that is above the tolerance,
+   * the method is lost.
    *
    * Where no point changes its status and the residual is the same for five
    * steps, within a tenth, the tangent knows nothing of what holds it: more
@@ -40,9 +32,6 @@ namespace Contact
   class NewtonGlobalization
   {
   public:
-    /// Whether a step may end with this residual.
-    bool accepts(const double residual) const;
-
     /// Whether a step that ended with this residual has lost the way to one as
     /// small as @p tolerance.
     bool is_lost(const double residual, const double tolerance) const;
@@ -69,15 +58,14 @@ namespace Contact
     bool one_at_a_time(const unsigned int n_changes);
 
   private:
-    static constexpr unsigned int memory   = 5;  // residuals
-    static constexpr unsigned int patience = 10; // steps without progress
+    static constexpr unsigned int max_still = 5;  // steps
+    static constexpr unsigned int patience  = 10; // steps without progress
 
-    std::deque<double> residuals;
-    double             best     = std::numeric_limits<double>::max();
-    unsigned int       n_uphill = 0; // steps since the best one
-    unsigned int       n_still  = 0; // steps that changed nothing
-    unsigned int       fewest   = std::numeric_limits<unsigned int>::max();
-    unsigned int       n_wasted = 0;
+    double       last     = std::numeric_limits<double>::max();
+    double       best     = std::numeric_limits<double>::max();
+    unsigned int n_still  = 0; // steps that changed nothing
+    unsigned int fewest   = std::numeric_limits<unsigned int>::max();
+    unsigned int n_wasted = 0;
   };
 } // namespace Contact
 

@@ -71,39 +71,6 @@ namespace Contact
 
 
 
-  // Not where the load turns round, or something else begins to move.
-  template<int dim>
-  bool NewtonState<dim>::continue_last_increment()
-  {
-    if (state.continued.size() == 0)
-      return false;
-    const GhostedVector start = state.solution;
-    model.discretization->prescribe(state.solution, state.load_factor);
-    const double of_start = residual_norm();
-    state.solution        = state.continued;
-    model.discretization->prescribe(state.solution, state.load_factor);
-    if (residual_norm() < of_start)
-      return true;
-    state.solution = start;
-    model.discretization->constrain_update(state.solution, state.load_factor);
-    return false;
-  }
-
-
-
-  // Under the statuses of now.
-  template<int dim>
-  double NewtonState<dim>::residual_norm()
-  {
-    TimerOutput::Scope scope(timer, "residual");
-    evaluate_bodies();
-    add_contact();
-    convergence.evaluate(rhs, state);
-    return convergence.residual_norm();
-  }
-
-
-
   template<int dim>
   void NewtonState<dim>::remember_status()
   {
@@ -294,7 +261,7 @@ namespace Contact
 
 
   template<int dim>
-  std::vector<double> NewtonState<dim>::search_along_line()
+  std::vector<double> NewtonState<dim>::shorten_step()
   {
     if (n_steps == 0)
       return {};
@@ -305,9 +272,7 @@ namespace Contact
 
     std::vector<double> residuals;
     const unsigned int  max_halvings = 6;
-    while (residuals.size() < max_halvings &&
-           (!is_admissible() || (n_status_changes == 0 &&
-                                 !guard.accepts(convergence.residual_norm()))))
+    while (residuals.size() < max_halvings && !is_admissible())
       {
         state.solution.sadd(0.5, 0.5, last);
         part *= 0.5;
@@ -367,14 +332,13 @@ namespace Contact
 
 
   template<int dim>
-  bool NewtonState<dim>::pair_anew()
+  void NewtonState<dim>::pair_anew()
   {
-    const bool has_own_steps = pairing.renew(state.solution);
+    pairing.renew(state);
     guard.forget();
     remember_status();
     ++n_steps;
     part = 0;
-    return has_own_steps;
   }
 
 
@@ -566,8 +530,7 @@ namespace Contact
   {
     if (!convergence.has_converged() ||
         model.discretization->update_is_prescribed())
-      return pairing.jumps() ? "; the pairing: " + pairing.unsettled(state)
-                             : "";
+      return {};
     const std::string balanced = ", which is small enough; not settled is ";
     if (!has_converged())
       return balanced + "the status of the points of contact";

@@ -17,8 +17,8 @@ namespace Contact
 
   /**
    * The state of Newton's method: the residual where it is, the status of the
-   * points there, and where the last step came from. The line search and the
-   * search for the active set are those of NewtonGlobalization.
+   * points there, and where the last step came from. The search for the active
+   * set is that of NewtonGlobalization.
    */
   template<int dim>
   class NewtonState
@@ -36,23 +36,15 @@ namespace Contact
     /// No step has been made yet.
     void begin();
 
-    /// Start the increment where it would end if it went on as the last one
-    /// did, if that leaves a smaller residual than its start under the new load
-    /// does, supports moved at once in both. Returns whether it is so.
-    /// Collective.
-    bool continue_last_increment();
-
     /// Pair the points and evaluate the residual and the status of the points.
     /// Collective.
     void evaluate();
 
     /**
-     * A step that turns a cell inside out, or leads to a residual that
-     * NewtonGlobalization does not accept though no point has changed its
-     * status, was too long: half of it, and half of that. Returns the residuals
-     * of these attempts. Collective.
+     * A step that turns a cell inside out was too long: half of it, and half
+     * of that. Returns the residuals of these attempts. Collective.
      */
-    std::vector<double> search_along_line();
+    std::vector<double> shorten_step();
 
     /// The state is where the next step begins. Throws NotConverged if it is
     /// no state of the bodies.
@@ -63,9 +55,8 @@ namespace Contact
     /// ever.
     bool has_converged() const;
 
-    /// The points are paired anew: another problem. Returns whether that has
-    /// steps of its own, see Pairing::renew().
-    bool pair_anew();
+    /// The points are paired anew: another problem.
+    void pair_anew();
 
     /// Choose whether one point at a time is to change its status. Returns
     /// whether it is from now on.
@@ -107,7 +98,6 @@ namespace Contact
     unsigned int     update_status(const bool single_changes);
     VolumeRatio<dim> evaluate_bodies();
     void             add_contact();
-    double           residual_norm();
 
     /// Pair the open points that have kept an earlier pairing. Returns whether
     /// one of them is to close.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "base/errors.h"
 #include "base/string_utilities.h"
 
 namespace Contact
@@ -93,7 +94,7 @@ namespace Contact
   template<int dim>
   void Pairing<dim>::pair(const GhostedVector &configuration)
   {
-    pair(configuration, {has_derivatives(), keeps_facets});
+    pair(configuration, {has_derivatives()});
   }
 
 
@@ -102,7 +103,7 @@ namespace Contact
   void Pairing<dim>::pair_near_contact(const GhostedVector &configuration,
                                        const bool           from_coarser_mesh)
   {
-    PairingMode mode{has_derivatives(), keeps_facets};
+    PairingMode mode{has_derivatives()};
     mode.keeps_open_points = dim == 3 && follows_each_step();
     mode.leaves_far_points = mode.keeps_open_points && from_coarser_mesh;
     pair(configuration, mode);
@@ -115,7 +116,7 @@ namespace Contact
   {
     if (is_complete)
       return false;
-    PairingMode mode{has_derivatives(), keeps_facets};
+    PairingMode mode{has_derivatives()};
     mode.is_rest = true;
     pair(GhostedVector(paired_at), mode);
     return true;
@@ -177,8 +178,7 @@ namespace Contact
   template<int dim>
   void Pairing<dim>::begin_increment(const double part)
   {
-    this->part   = part;
-    keeps_facets = false;
+    this->part = part;
   }
 
 
@@ -249,17 +249,16 @@ namespace Contact
 
 
   // The closest points must make no difference to the gaps, nor to where forces
-  // act, if the pairing does not come to rest, or keeps edges. A jump does not
+  // act, if the pairing does not come to rest. A jump does not
   // get smaller with the steps: its measure is the way of a whole increment.
   template<int dim>
   bool Pairing<dim>::accepts(const IncrementState<dim> &state)
   {
     if (!follows_each_step())
       return true;
-    const bool rests = guard.accepts(misplacement(state), way(state));
-    if (rests && !keeps_facets)
+    if (guard.accepts(misplacement(state), way(state)))
       return true;
-    if (!(keeps_facets ? rests : guard.cycles()))
+    if (!guard.cycles())
       return false;
     const ProjectionMismatch found = mismatch_of(state);
     if (!guard.accepts(found, way(state) / part))
@@ -296,18 +295,16 @@ namespace Contact
 
 
   template<int dim>
-  bool Pairing<dim>::renew(const GhostedVector &solution)
+  void Pairing<dim>::renew(const IncrementState<dim> &state)
   {
-    const bool edges_were_free = !keeps_facets;
-    if (edges_were_free && guard.cycles())
+    if (guard.cycles())
       {
-        // Along one edge projections move smoothly again.
+        if (!use_consistent_tangent())
+          throw NotConverged("the pairing jumps: " + unsettled(state));
         begin_newton();
-        keeps_facets = !use_consistent_tangent();
       }
-    renew(solution, relaxation);
+    renew(state.solution, relaxation);
     guard.count_renewal();
-    return edges_were_free;
   }
 
 
@@ -317,18 +314,16 @@ namespace Contact
   {
     std::string what = "the surfaces are " + brief(misplacement(state)) +
                        " mm from where they were paired, of ";
-    if (keeps_facets)
+    if (guard.cycles())
       {
         const ProjectionMismatch found = mismatch_of(state);
-        what =
-          "the closest points do not come to rest; if they stay on their "
-          "edges of the master, the gaps of the closest points differ by " +
-          brief(found.gap) + " mm, and forces are moved by " +
-          brief(100 * found.offset) + " % of the size of the slave" +
-          (found.unheld > 0 ? ", " + brief(100 * found.unheld) +
-                                " % of them have no closest point"
-                            : "") +
-          ", where the surfaces move by ";
+        what = "the closest points do not come to rest: their gaps differ by " +
+               brief(found.gap) + " mm, and forces are moved by " +
+               brief(100 * found.offset) + " % of the size of the slave" +
+               (found.unheld > 0 ? ", " + brief(100 * found.unheld) +
+                                     " % of them have no closest point"
+                                 : "") +
+               ", where the surfaces move by ";
       }
     const auto &pairs = model.interface->pairs;
     const bool  is_mortar =

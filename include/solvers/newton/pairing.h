@@ -107,9 +107,9 @@ namespace Contact
     /// Whether the solution under this pairing is one.
     bool accepts(const IncrementState<dim> &state);
 
-    /// If it is not, pair anew. Returns whether points have been free to face
-    /// other edges until now: four times at most.
-    bool renew(const GhostedVector &solution);
+    /// If it is not, pair anew. Throws NotConverged where closest points jump
+    /// between places that are not the same to the forces.
+    void renew(const IncrementState<dim> &state);
 
     /**
      * In 3-D, without friction, the condensed matrix is symmetric and knows
@@ -118,12 +118,6 @@ namespace Contact
      * whether it has become so.
      */
     bool use_consistent_tangent();
-
-    /// Whether points have turned out to face two places in turn.
-    bool jumps() const
-    {
-      return keeps_facets;
-    }
 
     /// The reason why a pairing is not accepted.
     std::string unsettled(const IncrementState<dim> &state) const;
@@ -159,8 +153,7 @@ namespace Contact
     std::optional<ProjectionMismatch> jump;
 
     // Of the present increment.
-    double part         = 1;
-    bool   keeps_facets = false;
+    double part = 1;
   };
 } // namespace Contact
 

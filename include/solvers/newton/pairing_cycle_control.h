@@ -25,9 +25,8 @@ namespace Contact
    * of the closest points differ from its own by no more than this tolerance of
    * the way of a whole increment, and if these move the forces by no more than
    * that part of the size of the slave: displacements then change by no more
-   * than that part of themselves, see ProjectionMismatch. Otherwise points keep
-   * the edge that they face, which goes on a little beyond its ends, and both
-   * are compared in the end.
+   * than that part of themselves, see ProjectionMismatch. Otherwise the
+   * increment is made in shorter steps.
    */
   class PairingCycleControl
   {
