@@ -16,6 +16,20 @@ namespace Contact
 {
   namespace
   {
+    /// The pressure under which a point closes [MPa]: of an open one that of
+    /// the round-off of its gap. Where others hold its node already, the gap is
+    /// nothing else, and would choose a status.
+    template<int dim>
+    double smallest_pressure(const ContactPoint<dim> &point)
+    {
+      if (point.status.kind != Status::open)
+        return 0;
+      const double round_off = 16 * std::numeric_limits<double>::epsilon();
+      return point.augmentation_parameter * round_off * point.X(0).norm();
+    }
+
+
+
     /// The direction of a shear traction that is not zero.
     template<int dim>
     typename PointStatus<dim>::Direction
@@ -247,7 +261,8 @@ namespace Contact
                                         const double              p_trial,
                                         const Tensor<1, dim - 1> &q_trial) const
   {
-    if (!point.facing || (!contact_pair(point).tied && p_trial <= 0))
+    if (!point.facing ||
+        (!contact_pair(point).tied && p_trial <= smallest_pressure(point)))
       return {Status::open, {}};
     if (!can_stick(point))
       return {Status::slip, prescribed_direction(point, q_trial)};
