@@ -528,6 +528,7 @@ namespace Contact
         stabilization.stabilize_free_pieces(model.interface.get());
         model.interface->begin_to_touch(state.solution);
       }
+    stabilization.begin_increment();
     newton.begin_increment(/*starts_elsewhere=*/has_coarser_start(step));
 
     solve_with_stabilization();
@@ -655,6 +656,8 @@ namespace Contact
         return true;
       }
     stabilization.stabilize_free_pieces(nullptr);
+    if (stabilization.has_grown())
+      return true;
     if (steps.cut())
       {
         report.screen << "  cut in half" << std::endl;

@@ -303,8 +303,8 @@ namespace Contact
           throw NotConverged("the pairing jumps: " + unsettled(state));
         begin_newton();
       }
+    guard.renew(misplacement(state));
     renew(state.solution, relaxation);
-    guard.count_renewal();
   }
 
 

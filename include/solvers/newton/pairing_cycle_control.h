@@ -6,6 +6,8 @@
 #ifndef contact_pairing_cycle_control_h
 #define contact_pairing_cycle_control_h
 
+#include <limits>
+
 #include "solvers/newton/projection_mismatch.h"
 
 namespace Contact
@@ -20,13 +22,13 @@ namespace Contact
    * than the geometry tolerance, relative to their way since the start of the
    * increment, and after four steps in a row without progress. Then points are
    * paired anew where Newton's method has converged, until the surfaces are
-   * within this tolerance of that place. After three turns the pairing jumps
-   * between two states for good. Either is accepted, with a note, if the gaps
-   * of the closest points differ from its own by no more than this tolerance of
-   * the way of a whole increment, and if these move the forces by no more than
-   * that part of the size of the slave: displacements then change by no more
-   * than that part of themselves, see ProjectionMismatch. Otherwise the
-   * increment is made in shorter steps.
+   * within this tolerance of that place. Where that has twice come no closer,
+   * by a half, the pairing jumps between two states for good. Either is
+   * accepted, with a note, if the gaps of the closest points differ from its
+   * own by no more than this tolerance of the way of a whole increment, and if
+   * these move the forces by no more than that part of the size of the slave:
+   * displacements then change by no more than that part of themselves, see
+   * ProjectionMismatch. Otherwise the increment is made in shorter steps.
    */
   class PairingCycleControl
   {
@@ -55,15 +57,17 @@ namespace Contact
       return frozen;
     }
 
-    /// The points were paired anew where Newton's method had converged.
-    void count_renewal()
+    /// The points are paired anew where Newton's method has converged, @p moved
+    /// [mm] from where they were paired.
+    void renew(const double moved)
     {
-      ++n_renewals;
+      n_idle += moved > last / 2;
+      last = moved;
     }
 
     bool cycles() const
     {
-      return n_renewals >= 3;
+      return n_idle >= 2;
     }
 
     /// Whether a solution is accepted, @p moved [mm] from where the surfaces
@@ -84,10 +88,11 @@ namespace Contact
     static constexpr unsigned int patience = 4;
 
     double       tolerance;
-    unsigned int n_short    = 0; // steps that hardly moved a surface
-    unsigned int n_stalled  = 0; // steps in a row without progress
-    unsigned int n_renewals = 0; // where Newton's method had converged
-    bool         frozen     = false;
+    unsigned int n_short   = 0; // steps that hardly moved a surface
+    unsigned int n_stalled = 0; // steps in a row without progress
+    unsigned int n_idle    = 0; // renewals that led no closer
+    double       last      = std::numeric_limits<double>::max(); // moved [mm]
+    bool         frozen    = false;
   };
 } // namespace Contact
 

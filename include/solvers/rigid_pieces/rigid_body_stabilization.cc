@@ -63,6 +63,14 @@ namespace Contact
 
 
   template<int dim>
+  void RigidBodyStabilization<dim>::begin_increment()
+  {
+    n_at_start = held.size();
+  }
+
+
+
+  template<int dim>
   void RigidBodyStabilization<dim>::end_increment()
   {
     held.clear();
@@ -74,6 +82,14 @@ namespace Contact
   bool RigidBodyStabilization<dim>::is_needed() const
   {
     return !held.empty();
+  }
+
+
+
+  template<int dim>
+  bool RigidBodyStabilization<dim>::has_grown() const
+  {
+    return held.size() > n_at_start;
   }
 
 

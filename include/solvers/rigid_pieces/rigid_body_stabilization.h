@@ -38,11 +38,15 @@ namespace Contact
     /// that is news. Collective.
     bool stabilize_free_pieces(const ContactInterface<dim> *contact);
 
-    /// The next increment needs none of what is held.
+    /// The increment that begins or is repeated; the next one needs none of
+    /// what is held.
+    void begin_increment();
     void end_increment();
 
-    /// Whether a piece is held.
+    /// Whether a piece is held, and whether one more than at the increment's
+    /// start.
     bool is_needed() const;
+    bool has_grown() const;
 
     /// The bodies that springs hold, for the reason why there is no solution;
     /// empty if nothing is held.
@@ -80,6 +84,7 @@ namespace Contact
     ConditionalOStream      &screen;
 
     std::vector<RigidBodyMode> held;
+    std::size_t                n_at_start = 0;
     std::vector<SpinningPiece> turning; // in itself, on this mesh
 
     // By piece, and the larger one of k and kappa/R^2.
