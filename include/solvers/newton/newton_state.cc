@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <sstream>
 
 #include "base/errors.h"
@@ -99,15 +98,9 @@ namespace Contact
     }
     n_status_changes = model.interface ? update_status(single_changes) : 0;
 
-    TimerOutput::Scope           scope(timer, "residual");
-    std::optional<GhostedVector> of_bodies;
-    if (n_steps == 0 && n_status_changes > 0 &&
-        model.interface->bounds_follow && !state.start.all_zero())
-      of_bodies = rhs;
+    TimerOutput::Scope scope(timer, "residual");
     add_contact();
     convergence.evaluate(rhs, state);
-    if (of_bodies && convergence.has_converged())
-      accept_equivalent_statuses(*of_bodies);
     if (model.interface && has_converged() && close_in_full_pairing())
       evaluate_with(single_changes);
   }
@@ -130,35 +123,6 @@ namespace Contact
                                                state.start)
                                     .kind != Status::open;
                        });
-  }
-
-
-
-  // Where nothing moves in an increment, points that slipped in the last one
-  // are at their bound but for round-off: sticking or slipping, the state
-  // stays. Steps would go on changing their statuses.
-  template<int dim>
-  void
-  NewtonState<dim>::accept_equivalent_statuses(const GhostedVector &of_bodies)
-  {
-    ContactInterface<dim> &interface = *model.interface;
-    const auto             statuses  = interface.statuses();
-    const auto             update    = [&](const bool keep) {
-      return interface.update_statuses(state.solution, state.start, keep);
-    };
-    const GhostedVector before = rhs;
-    update(/*keep=*/true);
-    rhs = of_bodies;
-    add_contact();
-    convergence.evaluate(rhs, state);
-    if (convergence.has_converged() && update(/*keep=*/false) == 0)
-      {
-        n_status_changes = 0;
-        return;
-      }
-    interface.set_statuses(statuses);
-    rhs = before;
-    convergence.evaluate(rhs, state);
   }
 
 

@@ -103,10 +103,6 @@ namespace Contact
     /// one of them is to close.
     bool close_in_full_pairing();
 
-    /// Before the first step and in balance: take the statuses that follow if
-    /// the state is in balance under them, too. @p of_bodies is the right side
-    /// without contact.
-    void   accept_equivalent_statuses(const GhostedVector &of_bodies);
     bool   satisfies_contact_law() const;
     void   check() const;
     bool   friction_acts() const;
