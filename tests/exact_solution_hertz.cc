@@ -9,8 +9,8 @@
 // planes of different materials on the softer one away from the axis; be the
 // upper body slave or master. Nothing is solved.
 
-#include "theory.h"
-#include "verification/verification.h"
+#include "closed_forms/exact_solution.h"
+#include "closed_forms/line_contact.h"
 
 using namespace Tests;
 
@@ -36,10 +36,10 @@ namespace
     parameters.contact.discretization       = "nodal";
     parameters.contact.friction_coefficient = friction;
     parameters.solution.n_increments        = 1;
-    parameters.probes.hertz                 = {5, 100};
-    parameters.probes.frictional_theory     = true;
     return parameters;
   }
+
+  const ClosedForm with_friction{"Hertz with friction", {5, 100}};
 
 
 
@@ -48,13 +48,16 @@ namespace
   // that nothing is said of shear unless that is asked for.
   void check_hertz_force()
   {
-    auto                   parameters = bulge(true, 1000, 0);
+    const auto             parameters = bulge(true, 1000, 0);
     const TwoBodies        model(parameters);
     const HertzLineContact hertz{5, 100, 1000, 0.3, 1000, 0.3};
     ContactResults         results;
     results.normal_force = 400;
-    const auto compare   = [&](const std::string &name, const double factor) {
-      const auto exact = exact_solution(parameters, model, results);
+    const auto compare   = [&](const std::string         &name,
+                             const std::vector<double> &numbers,
+                             const double               factor) {
+      const auto exact =
+        exact_solution({"Hertz", numbers}, parameters, model, results);
       check_small(
         name,
         std::abs(exact.values.at("half_width") / hertz.half_width() - factor) +
@@ -67,22 +70,13 @@ namespace
             !exact.shear && !exact.displacement && !exact.stress &&
               exact.values.size() == 2);
     };
-    compare("given force", 1);
-    parameters.probes.hertz = {5};
-    compare("found force", 2);
+    compare("given force", {5, 100}, 1);
+    compare("found force", {5}, 2);
 
-    auto with_friction                     = bulge(true, 1000, 0.5);
-    with_friction.probes.frictional_theory = false;
-    const TwoBodies frictional(with_friction);
+    const auto      frictional = bulge(true, 1000, 0.5);
+    const TwoBodies sliding(frictional);
     check("no theory of friction",
-          !exact_solution(with_friction, frictional, results).shear);
-
-    parameters.probes.hertz = {};
-    check("nothing to compare with",
-          !make_exact_solution(parameters,
-                               model.discretization,
-                               *model.interface.pairs[0],
-                               results));
+          !exact_solution({"Hertz", {5}}, frictional, sliding, results).shear);
   }
 
 
@@ -123,11 +117,12 @@ namespace
         model.solution[interface.tangential_index(point.multipliers[k])] =
           (upper_is_slave ? sign : -sign) * (point.tangents[0][0] > 0 ? 1 : -1);
     });
-    const auto        results = contact_results(interface,
+    const auto results = contact_results(interface,
                                          *interface.pairs[0],
                                          model.solution,
                                          model.start);
-    const auto        exact   = exact_solution(parameters, model, results);
+    const auto exact =
+      exact_solution(with_friction, parameters, model, results);
     const std::string name = std::string(upper_is_slave ? "upper" : "lower") +
                              " slave, " +
                              (sign > 0 ? "to the right" : "to the left");
@@ -158,7 +153,7 @@ namespace
     const auto parameters = bulge(upper_is_slave, young_upper, 0.1);
     TwoBodies  model(parameters);
     model.interface.pair(model.solution);
-    const auto   exact = exact_solution(parameters, model);
+    const auto   exact = exact_solution(with_friction, parameters, model);
     const double right =
       shear_on_upper_body(exact, model, upper_is_slave, 2. / 3 + 0.5);
     const double left =

@@ -7,7 +7,7 @@
 // friction's law, closed forms of the stick contact pair and known stick
 // contact pairs.
 
-#include "verification/half_plane.h"
+#include "closed_forms/half_plane.h"
 
 #include <cmath>
 #include <iomanip>

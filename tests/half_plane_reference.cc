@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "verification/half_plane.h"
+#include "closed_forms/half_plane.h"
 
 using namespace Contact;
 

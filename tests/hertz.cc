@@ -11,7 +11,7 @@
 #include <iomanip>
 #include <iostream>
 
-#include "verification/verification.h"
+#include "closed_forms/line_contact.h"
 
 using namespace dealii;
 

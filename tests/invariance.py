@@ -61,7 +61,6 @@ subsection Solution
 end
 subsection Probes
   set Probes = CX: displacement x, C; CY: displacement y, C; BX: displacement x, B; BY: displacement y, B
-  set Hertz  =
 end
 """
 

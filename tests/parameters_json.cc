@@ -42,6 +42,7 @@ namespace
       "Mesh": {
         "File": "a.msh",
         "Refinements": 2,
+        "Shift": [50, 35000],
         "Arcs": {"Bottom_C": [0, 50, 50], "Other": "1, 2, 3"}
       },
       "Element": {
@@ -74,8 +75,7 @@ namespace
           "S(B)": ["stress yy", "B"]
         },
         "References": {"DY(B)": -1.5},
-        "Tolerances": {"DY(B)": 0.001},
-        "Hertz": [50, 35000]
+        "Tolerances": {"DY(B)": 0.001}
       },
       "Output": {"Screen": "none", "VTU": true}
     })json");

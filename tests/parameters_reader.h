@@ -104,7 +104,7 @@ namespace Tests
   {
     const auto &p = result.parameters;
     std::cout << "name: " << p.name << "\nmesh: " << mesh_file(result) << ' '
-              << p.mesh.refinements << '\n';
+              << p.mesh.refinements << ' ' << p.mesh.shift.at(1) << '\n';
     for (const auto &[group, arc] : p.mesh.arcs)
       std::cout << "arc: " << group << ' ' << arc[0] << ' ' << arc[1] << ' '
                 << arc[2] << '\n';
@@ -129,7 +129,7 @@ namespace Tests
               << "\nprobes: " << p.probes.probes.at("S(B)").at(0) << ' '
               << p.probes.probes.at("S(B)").at(1) << ' '
               << p.probes.references.at("DY(B)") << ' '
-              << p.probes.tolerances.at("DY(B)") << ' ' << p.probes.hertz.at(1)
+              << p.probes.tolerances.at("DY(B)")
               << "\noutput: " << p.output.directory << ' '
               << p.output.screen.name() << ' ' << p.output.vtu << ' '
               << p.output.profile << '\n';

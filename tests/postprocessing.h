@@ -62,10 +62,8 @@ namespace Tests
 
 
   /// The profiles of slave and master.
-  inline std::array<Rows, 2>
-  profiles(const TwoBodies                    &model,
-           const Stresses                     &stresses,
-           const std::optional<ExactSolution> &exact = {})
+  inline std::array<Rows, 2> profiles(const TwoBodies &model,
+                                      const Stresses  &stresses)
   {
     const auto &disc  = model.discretization;
     const Rows  slave = slave_profile(model.interface,
@@ -73,16 +71,14 @@ namespace Tests
                                      disc,
                                      stresses,
                                      model.solution,
-                                     model.start,
-                                     exact);
+                                     model.start);
     return {{slave,
              master_profile(model.interface,
                             *model.interface.pairs[0],
                             disc,
                             stresses,
                             model.solution,
-                            slave,
-                            exact)}};
+                            slave)}};
   }
 } // namespace Tests
 

@@ -9,6 +9,7 @@
 // on the nodes of the master; the axis of the Hertz contact; and normals and
 // arc lengths of the turned surface.
 
+#include "closed_forms/exact_solution.h"
 #include "postprocessing.h"
 #include "solid/stress_recovery.h"
 
@@ -116,24 +117,15 @@ namespace
   void check_hertz_axis(const unsigned int degree)
   {
     headline("Hertz axis, degree " + std::to_string(degree));
-    Parameters::All parameters = two_blocks(degree, "nodal", true, 0.1);
-    parameters.probes.hertz    = {5, 100};
+    const auto        parameters = two_blocks(degree, "nodal", true, 0.1);
     const PlacedModel model(parameters, stay);
     const Stresses    stresses(model.mesh.triangulation.n_vertices());
-    const auto        exact =
-      make_exact_solution(parameters,
-                          model.discretization,
-                          *model.interface.pairs[0],
-                          contact_results(model.interface,
-                                          *model.interface.pairs[0],
-                                          model.solution,
-                                          model.start));
-    for (const Rows &rows : profiles(model, stresses, exact))
+    const auto exact = exact_solution({"Hertz", {5, 100}}, parameters, model);
+    for (const Rows &rows : profiles(model, stresses))
       for (const ProfileRow<2> &row : rows)
-        if (row.exact_pressure > 0)
+        if (const double p = exact.pressure(row.X); p > 0)
           std::cout << "  x " << row.X[0] << ", p/p0 "
-                    << row.exact_pressure / exact->values.at("max_pressure")
-                    << std::endl;
+                    << p / exact.values.at("max_pressure") << std::endl;
   }
 
 

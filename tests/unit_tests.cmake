@@ -49,14 +49,12 @@ int main()\n{\n  return ${_name}_test::main();\n}\n")
   endwhile()
 
   add_library(unit_test_sources SHARED EXCLUDE_FROM_ALL ${_batches})
-  target_include_directories(unit_test_sources
-                             PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   target_compile_definitions(unit_test_sources
                              PRIVATE SOURCE_DIR="${CMAKE_CURRENT_SOURCE_DIR}")
   # main() of a namespace has to return, unlike the one that a program begins in.
   target_compile_options(unit_test_sources PRIVATE -Werror=return-type)
   set_target_properties(unit_test_sources PROPERTIES UNITY_BUILD OFF)
-  target_link_libraries(unit_test_sources contact_core)
+  target_link_libraries(unit_test_sources closed_forms)
   target_precompile_headers(unit_test_sources REUSE_FROM contact_core)
   deal_ii_setup_target(unit_test_sources)
 endfunction()

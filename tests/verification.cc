@@ -8,10 +8,9 @@
 // approach of a disk, Dundurs' constant, and the shear of Cattaneo and Mindlin.
 // The concentric cylinders: verification_cylinders.cc.
 
-#include "verification/verification.h"
-
 #include <deal.II/base/quadrature_lib.h>
 
+#include "closed_forms/line_contact.h"
 #include "plane_strain.h"
 
 using namespace Tests;

@@ -8,8 +8,8 @@
 // load and the conditions of contact; and that cylinders of one material are
 // Lame's.
 
+#include "closed_forms/concentric_cylinders.h"
 #include "plane_strain.h"
-#include "verification/verification.h"
 
 using namespace Tests;
 

@@ -57,7 +57,6 @@ namespace Contact
                       const Change                   &change) const
     {
       SceneVariant variant{effect, is_on, entries, scene};
-      forget_theory(variant.parameters.probes);
       change(variant.parameters);
       try
         {
@@ -68,14 +67,6 @@ namespace Contact
           variant.unknown = error.problem;
         }
       return variant;
-    }
-
-    /// Closed forms are those of the scene itself, not of its variants.
-    static void forget_theory(Parameters::Probes &probes)
-    {
-      probes.hertz.clear();
-      probes.concentric_cylinders.clear();
-      probes.frictional_theory = false;
     }
   };
 

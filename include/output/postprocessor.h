@@ -10,7 +10,6 @@
 #include "model/increment_state.h"
 #include "output/report.h"
 #include "solid/stress_recovery.h"
-#include "verification/exact_solution.h"
 
 namespace Contact
 {
@@ -18,8 +17,8 @@ namespace Contact
 
   /**
    * The results of a state: probes, the contact zone in numbers, files for
-   * ParaView and for curves, and the comparison with theory. Stresses are
-   * recovered when one of them asks for it.
+   * ParaView and for curves. Stresses are recovered when one of them asks for
+   * it.
    */
   template<int dim>
   class Postprocessor
@@ -67,7 +66,6 @@ namespace Contact
     void           record_rotations();
     double         probe(const Parameters::Probes::Definition &definition);
     double value(const Parameters::Quantity quantity, const std::string &point);
-    void   compare_with_theory();
     void   report_probes();
 
     const Parameters::All   &parameters;
@@ -77,7 +75,6 @@ namespace Contact
 
     std::unique_ptr<StressRecovery<dim>> recovery; // as it is asked for
     std::vector<SymmetricTensor<2, 3>>   stresses; // likewise
-    std::optional<ExactSolution>         exact;
   };
 } // namespace Contact
 

@@ -28,26 +28,6 @@ namespace Contact
 
 
 
-    void add_exact_values(const std::optional<ExactSolution> &exact,
-                          std::vector<ProfileRow<2>>         &rows)
-    {
-      if (!exact)
-        return;
-      for (ProfileRow<2> &row : rows)
-        {
-          row.exact_pressure = exact->pressure(row.X);
-          if (exact->shear)
-            row.exact_shear = exact->shear(row.X);
-        }
-    }
-
-    void add_exact_values(const std::optional<ExactSolution> &,
-                          std::vector<ProfileRow<3>> &)
-    {
-    }
-
-
-
     /// The force w p of a point [N per mm of thickness].
     template<int dim>
     double normal_force(const ContactInterface<dim> &interface,
@@ -292,14 +272,12 @@ namespace Contact
                 const Discretization<dim>                &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const GhostedVector                      &solution,
-                const GhostedVector                      &u_start,
-                const std::optional<ExactSolution>       &exact)
+                const GhostedVector                      &u_start)
   {
     auto rows =
       make_rows(contact_pair.slave, discretization, vertex_stresses, solution);
     add_gap_and_slip(interface, contact_pair, solution, u_start, rows);
     add_contact_values(interface, contact_pair, solution, u_start, rows);
-    add_exact_values(exact, rows);
     return rows;
   }
 
@@ -312,8 +290,7 @@ namespace Contact
                  const Discretization<dim>                &discretization,
                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                  const GhostedVector                      &solution,
-                 const std::vector<ProfileRow<dim>>       &slave,
-                 const std::optional<ExactSolution>       &exact)
+                 const std::vector<ProfileRow<dim>>       &slave)
   {
     if (!contact_pair.master)
       return {};
@@ -341,7 +318,6 @@ namespace Contact
                      false,
                      solution,
                      rows);
-    add_exact_values(exact, rows);
     reverse(rows);
     return rows;
   }
@@ -355,22 +331,18 @@ namespace Contact
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const GhostedVector                      &solution,
                 const GhostedVector                      &u_start,
-                const std::optional<ExactSolution>       &exact,
                 const bool                                with_masters)
   {
     std::vector<PairProfile<dim>> profiles;
     for (const auto &contact_pair : interface.pairs)
       {
-        const auto theory =
-          profiles.empty() ? exact : std::optional<ExactSolution>();
         profiles.push_back({contact_pair->name, &contact_pair->slave, {}, {}});
         profiles.back().slave_rows = slave_profile(interface,
                                                    *contact_pair,
                                                    discretization,
                                                    vertex_stresses,
                                                    solution,
-                                                   u_start,
-                                                   theory);
+                                                   u_start);
         if (with_masters)
           profiles.back().master_rows =
             master_profile(interface,
@@ -378,8 +350,7 @@ namespace Contact
                            discretization,
                            vertex_stresses,
                            solution,
-                           profiles.back().slave_rows,
-                           theory);
+                           profiles.back().slave_rows);
       }
     return profiles;
   }
@@ -390,15 +361,13 @@ namespace Contact
                 const Discretization<2>                  &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const GhostedVector                      &solution,
-                const GhostedVector                      &u_start,
-                const std::optional<ExactSolution>       &exact);
+                const GhostedVector                      &u_start);
   template std::vector<PairProfile<2>>
   pair_profiles(const ContactInterface<2>                &interface,
                 const Discretization<2>                  &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const GhostedVector                      &solution,
                 const GhostedVector                      &u_start,
-                const std::optional<ExactSolution>       &exact,
                 const bool                                with_masters);
   template std::vector<PairProfile<3>>
   pair_profiles(const ContactInterface<3>                &interface,
@@ -406,6 +375,5 @@ namespace Contact
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const GhostedVector                      &solution,
                 const GhostedVector                      &u_start,
-                const std::optional<ExactSolution>       &exact,
                 const bool                                with_masters);
 } // namespace Contact

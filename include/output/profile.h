@@ -6,13 +6,10 @@
 #ifndef contact_profile_h
 #define contact_profile_h
 
-#include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "contact/interface/contact_interface.h"
-#include "verification/exact_solution.h"
 
 namespace Contact
 {
@@ -47,10 +44,6 @@ namespace Contact
     /// -n.sigma.n from the recovered stress of the surface's own body and its
     /// deformed outward normal n [MPa].
     double extrapolated_pressure = 0;
-
-    /// Of the exact solution [MPa]; NaN where there is none.
-    double exact_pressure = std::numeric_limits<double>::quiet_NaN();
-    double exact_shear    = std::numeric_limits<double>::quiet_NaN();
   };
 
 
@@ -85,8 +78,7 @@ namespace Contact
                 const Discretization<dim>                &discretization,
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const GhostedVector                      &solution,
-                const GhostedVector                      &u_start,
-                const std::optional<ExactSolution>       &exact);
+                const GhostedVector                      &u_start);
 
   /**
    * The profile of the master surface of a contact pair, empty on an obstacle.
@@ -108,11 +100,10 @@ namespace Contact
                  const Discretization<dim>                &discretization,
                  const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                  const GhostedVector                      &solution,
-                 const std::vector<ProfileRow<dim>>       &slave,
-                 const std::optional<ExactSolution>       &exact);
+                 const std::vector<ProfileRow<dim>>       &slave);
 
   /// The profiles of all contact pairs, of their masters only with @p
-  /// with_masters. An exact solution is that of the first contact pair.
+  /// with_masters.
   template<int dim>
   std::vector<PairProfile<dim>>
   pair_profiles(const ContactInterface<dim>              &interface,
@@ -120,7 +111,6 @@ namespace Contact
                 const std::vector<SymmetricTensor<2, 3>> &vertex_stresses,
                 const GhostedVector                      &solution,
                 const GhostedVector                      &u_start,
-                const std::optional<ExactSolution>       &exact,
                 const bool                                with_masters);
 } // namespace Contact
 

@@ -10,7 +10,6 @@
 #include <deal.II/numerics/data_out.h>
 
 #include <algorithm>
-#include <cmath>
 #include <regex>
 
 #include "base/all_ranks.h"
@@ -115,13 +114,7 @@ namespace Contact
           out << surface;
           for (const double value : profile_values(row))
             out << ',' << value + 0.; // no "-0"
-          out << ',' << row.status << ',' << row.extrapolated_pressure;
-          for (const double value : {row.exact_pressure, row.exact_shear})
-            if (std::isnan(value))
-              out << ',';
-            else
-              out << ',' << value;
-          out << '\n';
+          out << ',' << row.status << ',' << row.extrapolated_pressure << '\n';
         }
     }
   } // namespace
@@ -339,8 +332,7 @@ namespace Contact
     write_first("profile.csv", [&](std::ostream &out) {
       out.precision(12);
       out << "surface," << profile_columns(ProfileRow<dim>())
-          << ",status_0_open_1_slip_2_stick,extrapolated_pressure_MPa,"
-             "exact_pressure_MPa,exact_shear_MPa\n";
+          << ",status_0_open_1_slip_2_stick,extrapolated_pressure_MPa\n";
       for (const PairProfile<dim> &contact_pair : pairs)
         {
           const std::string name =

@@ -233,8 +233,6 @@ namespace Contact
                   {"multipliers", summary.n_multipliers}}},
                 {"displacements_on_a_process", summary.n_held},
                 {"contact", Json::object()},
-                {"exact", summary.exact},
-                {"errors", summary.errors},
                 {"time", to_json(summary.time)},
                 {"peak_memory_mb", summary.peak_memory_mb},
                 {"effects", Json::object()},

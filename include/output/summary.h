@@ -174,12 +174,9 @@ namespace Contact
     std::size_t n_multipliers   = 0;
     std::size_t n_held          = 0; // displacements, most by a process
 
-    /// The contact zone at full load, see ContactResults; what the exact
-    /// solution has instead, and the errors relative to that, see
-    /// ExactSolution. By name; empty where there is none.
-    std::map<std::string, std::map<std::string, double>>
-                                  contact; // by contact pair
-    std::map<std::string, double> exact, errors;
+    /// The contact zone at full load by contact pair and name, see
+    /// ContactResults; empty where there is none.
+    std::map<std::string, std::map<std::string, double>> contact;
 
     std::map<std::string, PhaseTime> time; // by phase
     double                           peak_memory_mb = 0;

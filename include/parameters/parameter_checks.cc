@@ -202,32 +202,6 @@ namespace Contact
       check_quantities();
       check_references();
       check_accuracy(symmetry);
-      const std::string cylinders = "Probes/Concentric cylinders";
-      if (hertz.size() > 2 ||
-          std::any_of(hertz.begin(), hertz.end(), [](const double value) {
-            return !(value > 0);
-          }))
-        throw EntryError("A Hertz contact takes one or two positive values.",
-                         {"Probes/Hertz"},
-                         "write 'radius, force per mm' or 'radius', or leave "
-                         "it empty");
-      if (frictional_theory && hertz.empty())
-        throw EntryError("There is no contact of Hertz for a theory of "
-                         "friction.",
-                         {"Probes/Frictional theory", "Probes/Hertz"},
-                         "set 'Hertz = radius', or no frictional theory");
-      const auto &r = concentric_cylinders;
-      if (!r.empty() &&
-          !(r.size() == 5 && 0 <= r[0] && r[0] < r[1] && r[1] < r[2]))
-        throw EntryError("These are no concentric cylinders.",
-                         {cylinders},
-                         "write 'bore, radius of contact, outer radius, "
-                         "pressure, amplitude' with growing radii, or leave it "
-                         "empty");
-      if (!r.empty() && !hertz.empty())
-        throw EntryError("There are two solutions to compare with.",
-                         {"Probes/Hertz", cylinders},
-                         "leave one of the two empty");
     }
 
 

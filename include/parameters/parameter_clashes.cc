@@ -36,7 +36,6 @@ namespace Contact
       refinement.check();
       probes.check(solids.symmetry);
 
-      check_theory();
       if (element.degree > 1 && !solids.incompatible_modes.empty())
         throw EntryError("Cells of degree 2 bend without incompatible modes.",
                          {"Solids/Incompatible modes", "Element/Degree"},
@@ -58,33 +57,6 @@ namespace Contact
         check_condensed();
       else
         check_saddle_point();
-    }
-
-
-
-    // Each closed form belongs to a kind of scene.
-    void All::check_theory() const
-    {
-      const bool plane = solids.symmetry == Symmetry::plane_strain;
-      if (!probes.hertz.empty() && !plane)
-        throw EntryError("The line contact of Hertz is one of plane strain.",
-                         {"Probes/Hertz", "Solids/Symmetry"},
-                         "leave Hertz empty, or set 'Symmetry = plane strain'");
-      if (!probes.concentric_cylinders.empty() && !plane)
-        throw EntryError("The concentric cylinders are a section in x and y, "
-                         "not rings about y.",
-                         {"Probes/Concentric cylinders", "Solids/Symmetry"},
-                         "leave the cylinders empty, or set 'Symmetry = plane "
-                         "strain'");
-      if (!probes.hertz.empty() && contact.master.empty())
-        throw EntryError("There is no contact pressure to compare with Hertz.",
-                         {"Probes/Hertz", "Contact/Slave"},
-                         "set slave and master, or leave Hertz empty");
-      if (!probes.concentric_cylinders.empty() && contact.master.empty())
-        throw EntryError("Concentric cylinders are compared with contact, but "
-                         "there is none.",
-                         {"Probes/Concentric cylinders", "Contact/Slave"},
-                         "set slave and master, or leave the cylinders empty");
     }
 
 

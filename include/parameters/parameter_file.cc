@@ -254,12 +254,11 @@ namespace Contact
                        place.name,
                        "write a '=' between the name and the value");
 
-    const auto [name, value] = split_at(assignment, equal_sign);
+    const auto [text, value] = split_at(assignment, equal_sign);
+    const std::string name   = with_single_blanks(text);
     declare_section(in_section);
-    set_once(find_entry(in_section, with_single_blanks(name), place),
-             value,
-             place,
-             set_before);
+    if (!is_retired(in_section, name, place))
+      set_once(find_entry(in_section, name, place), value, place, set_before);
   }
 
 
@@ -284,6 +283,23 @@ namespace Contact
     if (!Utilities::MPI::job_supports_mpi() ||
         Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       std::cerr << place.name << ": note: " << text << std::endl;
+  }
+
+
+
+  bool ParameterReader::is_retired(const std::string &in_section,
+                                   const std::string &name,
+                                   const Place       &place)
+  {
+    if (in_section != "Probes" ||
+        (name != "Hertz" && name != "Frictional theory" &&
+         name != "Concentric cylinders"))
+      return false;
+    note(place,
+         "Probes/" + name +
+           " is no longer read: results are compared with closed forms by "
+           "tests/closed_forms.");
+    return true;
   }
 
 

@@ -116,6 +116,11 @@ namespace Contact
     /// Print a note on a statement, on the first rank.
     static void note(const Place &place, const std::string &text);
 
+    /// Whether an entry is a former one without a successor, with a note.
+    static bool is_retired(const std::string &in_section,
+                           const std::string &name,
+                           const Place       &place);
+
     /// The name that a value has now.
     static std::string present_value(const DeclaredEntry &entry,
                                      const std::string   &value,

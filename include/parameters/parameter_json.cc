@@ -244,6 +244,8 @@ namespace Contact
     if (value.type == Type::object && value.find("alias") != nullptr)
       return;
 
+    if (is_retired(section, name, place))
+      return;
     const DeclaredEntry &entry = find_entry(section, name, place);
     set_once(entry,
              ValueText(entry, place.name)(value_of(value)),

@@ -128,7 +128,6 @@ namespace Contact
       void check() const;
 
     private:
-      void check_theory() const;
       void check_obstacles() const;
       void check_points() const;
       void check_dual_problems() const;

@@ -205,36 +205,8 @@ namespace Contact
                         "'name: value', separated by ','; the deviation from "
                         "the reference that is accepted, relative to it [-]; "
                         "> 0.");
-      add_theory(prm);
       add_errors(prm);
       prm.leave_subsection();
-    }
-
-
-
-    void Probes::add_theory(ParameterHandler &prm)
-    {
-      prm.add_parameter("Hertz",
-                        hertz,
-                        "Line contact of Hertz to compare with: 'radius, "
-                        "force' [mm, N per mm of thickness, of the full "
-                        "cylinder], or 'radius': under the force that is "
-                        "found, of models without a line of symmetry. Empty: "
-                        "none.");
-      prm.add_parameter("Frictional theory",
-                        frictional_theory,
-                        "Compare a contact of Hertz with Coulomb's friction "
-                        "with a theory that knows it [-]: Cattaneo and "
-                        "Mindlin's where the bodies are alike, otherwise two "
-                        "half planes under the same increments; right only if "
-                        "the contact is small beside the radius.");
-      prm.add_parameter("Concentric cylinders",
-                        concentric_cylinders,
-                        "A cylinder in a ring about the origin to compare "
-                        "with: 'bore, radius of contact, outer radius, "
-                        "pressure, amplitude' [mm, MPa], under the pressure "
-                        "'pressure + amplitude cos(2 theta)' outside, small "
-                        "strain, no friction. Empty: none.");
     }
 
 

@@ -119,20 +119,6 @@ namespace Contact
       std::map<std::string, double> references;
       std::map<std::string, double> tolerances;
 
-      /// Hertz line contact to compare with: {radius [mm], force per length of
-      /// the full cylinder [N/mm]} or {radius}: under the force that is found;
-      /// empty: none.
-      std::vector<double> hertz;
-
-      /// Compare the shear with theory as well, not only with the pressure of
-      /// Hertz without friction.
-      bool frictional_theory = false;
-
-      /// Concentric cylinders to compare with: {bore, radius of contact, outer
-      /// radius [mm], mean pressure, amplitude of its cos(2 theta) [MPa]};
-      /// empty: none.
-      std::vector<double> concentric_cylinders;
-
       /// Estimate the discretization error of the probes on a refined mesh.
       bool estimate_errors = false;
 
@@ -167,7 +153,6 @@ namespace Contact
       void check(const Symmetry symmetry) const;
 
     private:
-      void add_theory(ParameterHandler &prm);
       void add_errors(ParameterHandler &prm);
       void check_quantities() const;
       void check_references() const;

@@ -58,10 +58,6 @@ namespace Contact::Parameters
            "Solution/Estimate effects",
            "effects are estimated in 2-D alone",
            "compare two runs");
-    refuse(!probes.hertz.empty() || !probes.concentric_cylinders.empty(),
-           "Probes/Hertz, Probes/Concentric cylinders",
-           "the theories are of line contact",
-           "remove the entry");
     All all      = *this;
     all.in_space = true;
 

@@ -3,12 +3,12 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#ifndef contact_half_plane_h
-#define contact_half_plane_h
+#ifndef contact_tests_half_plane_h
+#define contact_tests_half_plane_h
 
 #include <vector>
 
-#include "verification/verification.h"
+#include "closed_forms/line_contact.h"
 
 namespace Contact
 {

@@ -3,20 +3,15 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "verification/exact_solution.h"
+#include "closed_forms/exact_solution.h"
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_values.h>
 
-#include <algorithm>
-#include <memory>
+#include "closed_forms/concentric_cylinders.h"
+#include "closed_forms/half_plane.h"
 
-#include "verification/half_plane.h"
-#include "verification/verification.h"
-
-namespace Contact
+namespace Tests
 {
   namespace
   {
@@ -44,19 +39,17 @@ namespace Contact
 
 
 
-    HertzLineContact hertz_contact(const Parameters::All   &parameters,
-                                   const Discretization<2> &discretization,
-                                   const ContactPair<2>    &contact_pair,
-                                   const ContactResults    &results)
+    HertzLineContact hertz_contact(const ClosedForm      &form,
+                                   const Parameters::All &parameters,
+                                   const TwoBodies       &model,
+                                   const ContactResults  &results)
     {
+      const auto &pair   = *model.interface.pairs[0];
       const auto &solids = parameters.solids;
-      const auto &given  = parameters.probes.hertz;
-      const auto  slave =
-        discretization.mesh.body_name(contact_pair.slave.facets[0].body);
-      const auto master =
-        discretization.mesh.body_name(contact_pair.master->facets[0].body);
-      return {given[0],
-              given.size() > 1 ? given[1] : results.normal_force,
+      const auto  slave  = model.mesh.body_name(pair.slave.facets[0].body);
+      const auto  master = model.mesh.body_name(pair.master->facets[0].body);
+      return {form.numbers.at(0),
+              form.numbers.size() > 1 ? form.numbers[1] : results.normal_force,
               solids.youngs_modulus.at(slave),
               solids.poisson.at(slave),
               solids.youngs_modulus.at(master),
@@ -116,13 +109,14 @@ namespace Contact
 
 
 
-    ExactSolution make_hertz(const Parameters::All   &parameters,
-                             const Discretization<2> &discretization,
-                             const ContactPair<2>    &contact_pair,
-                             const ContactResults    &results)
+    ExactSolution make_hertz(const ClosedForm      &form,
+                             const Parameters::All &parameters,
+                             const TwoBodies       &model,
+                             const ContactResults  &results)
     {
+      const ContactPair<2>  &contact_pair = *model.interface.pairs[0];
       const HertzLineContact hertz =
-        hertz_contact(parameters, discretization, contact_pair, results);
+        hertz_contact(form, parameters, model, results);
       const unsigned int node = first_touch(contact_pair);
       const double       axis = contact_pair.slave.nodes[node].X[0];
 
@@ -134,7 +128,7 @@ namespace Contact
       };
 
       const double mu = contact_pair.law.coulomb_coefficient;
-      if (mu == 0 || !parameters.probes.frictional_theory)
+      if (form.name == "Hertz")
         return exact;
       if (std::abs(hertz.dundurs()) < 1e-12) // round-off
         {
@@ -158,10 +152,12 @@ namespace Contact
 
 
 
-    ExactSolution make_cylinders(const Parameters::All   &parameters,
-                                 const Discretization<2> &discretization,
-                                 const ContactPair<2>    &contact_pair)
+    ExactSolution make_cylinders(const ClosedForm      &form,
+                                 const Parameters::All &parameters,
+                                 const TwoBodies       &model)
     {
+      const ContactPair<2> &contact_pair = *model.interface.pairs[0];
+
       // The inner body is the one with the convex surface.
       const auto slave  = contact_pair.slave.facets[0].body;
       const auto master = contact_pair.master->facets[0].body;
@@ -173,20 +169,20 @@ namespace Contact
       const auto inner = slave_is_inner ? slave : master;
 
       const auto material = [&](const types::material_id body) {
-        const auto name = discretization.mesh.body_name(body);
+        const auto name = model.mesh.body_name(body);
         return ConcentricCylinders::Material{
           parameters.solids.youngs_modulus.at(name),
           parameters.solids.poisson.at(name)};
       };
-      const auto &given = parameters.probes.concentric_cylinders;
+      const auto &given = form.numbers;
       const auto  cylinders =
-        std::make_shared<ConcentricCylinders>(given[0],
+        std::make_shared<ConcentricCylinders>(given.at(0),
                                               given[1],
                                               given[2],
                                               material(inner),
                                               material(outer),
                                               given[3],
-                                              given[4]);
+                                              given.at(4));
       ExactSolution exact;
       exact.pressure = [=](const Point<2> &X) {
         return cylinders->pressure(X);
@@ -214,54 +210,60 @@ namespace Contact
         exact += exact_square;
       }
 
-      double relative(const MPI_Comm communicator) const
+      double relative() const
       {
-        return std::sqrt(Utilities::MPI::sum(error, communicator) /
-                         Utilities::MPI::sum(exact, communicator));
+        return std::sqrt(error / exact);
       }
     };
 
 
 
-    /// Of a multiplier over the slave, which every rank has. Where contact ends
-    /// the exact one has a kink within an edge: hence many points.
+    /// Of values that are interpolated between the nodes of a slave. Where
+    /// contact ends the exact ones have a kink within an edge: hence many
+    /// points.
     double error_on_slave(const std::function<double(const Point<2> &)> &exact,
-                          const ContactPair<2>      &contact_pair,
-                          const std::vector<double> &values)
+                          const SlaveTractions                          &slave,
+                          const std::vector<double>                     &values)
     {
-      const Surface<2>  &slave = contact_pair.slave;
       const QIterated<1> quadrature(QGauss<1>(4), 4);
       Squares            squares;
-      for (const SurfaceFacet<2> &edge : slave.facets)
+      for (unsigned int n = 0; n + slave.degree < slave.X.size();
+           n += slave.degree)
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           {
             const EdgeShape shape(slave.degree, 2 * quadrature.point(q)[0] - 1);
-            Point<2>        X;
-            double          value = 0;
-            for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+            const std::array<unsigned int, 3> nodes{
+              {n, n + slave.degree, n + 1}}; // first, last, middle
+            Point<2>     X;
+            Tensor<1, 2> along;
+            double       value = 0;
+            for (unsigned int a = 0; a <= slave.degree; ++a)
               {
-                X +=
-                  shape.value[a] * Tensor<1, 2>(slave.nodes[edge.nodes[a]].X);
-                value += shape.value[a] * values[edge.nodes[a]];
+                const Tensor<1, 2> X_a(slave.X[nodes[a]]);
+                X += shape.value[a] * X_a;
+                along += 2 * shape.first[a] * X_a;
+                value += shape.value[a] * values[nodes[a]];
               }
-            const double JxW =
-              2 * quadrature.weight(q) * slave.reference_jacobian(edge, shape);
+            const double JxW       = quadrature.weight(q) * along.norm();
             const double reference = exact(X);
             squares.add(JxW * std::pow(value - reference, 2),
                         JxW * reference * reference);
           }
-      return squares.relative(MPI_COMM_SELF);
+      return squares.relative();
     }
 
 
 
     void add_errors_in_bodies(const ExactSolution           &exact,
-                              const Discretization<2>       &discretization,
-                              const Elasticity<2>           &elasticity,
-                              const GhostedVector           &solution,
+                              const TwoBodies               &model,
                               std::map<std::string, double> &errors)
     {
-      const DistributedVector u      = discretization.distributed(solution);
+      const Discretization<2> &discretization = model.discretization;
+      GhostedVector            displacements(model.n_dofs());
+      std::copy_n(model.solution.begin(),
+                  displacements.size(),
+                  displacements.begin());
+      const DistributedVector u = discretization.distributed(displacements);
       const unsigned int      degree = discretization.degree;
       hp::FEValues<2>         hp_fe_values(
         discretization.mapping,
@@ -276,12 +278,10 @@ namespace Contact
       for (const auto &cell :
            discretization.dof_handler.active_cell_iterators())
         {
-          if (!cell->is_locally_owned())
-            continue;
           hp_fe_values.reinit(cell);
           const auto     &fe_values = hp_fe_values.get_present_fe_values();
           const auto      body      = cell->material_id();
-          const Material &material  = elasticity.material(body);
+          const Material &material  = model.elasticity->material(body);
           values.resize(fe_values.n_quadrature_points);
           strains.resize(fe_values.n_quadrature_points);
           fe_values[displacement].get_function_values(u, values);
@@ -299,60 +299,39 @@ namespace Contact
                          JxW * material.energy_density(stress));
             }
         }
-      errors["displacement"] = square.relative(discretization.communicator);
-      errors["energy"]       = energy.relative(discretization.communicator);
+      errors["displacement"] = square.relative();
+      errors["energy"]       = energy.relative();
     }
   } // namespace
 
 
 
-  std::optional<ExactSolution>
-  make_exact_solution(const Parameters::All   &parameters,
-                      const Discretization<2> &discretization,
-                      const ContactPair<2>    &contact_pair,
-                      const ContactResults    &results)
+  ExactSolution exact_solution(const ClosedForm      &form,
+                               const Parameters::All &parameters,
+                               const TwoBodies       &model,
+                               const ContactResults  &results)
   {
-    if (!parameters.probes.hertz.empty())
-      return make_hertz(parameters, discretization, contact_pair, results);
-    if (!parameters.probes.concentric_cylinders.empty())
-      return make_cylinders(parameters, discretization, contact_pair);
-    return {};
+    if (form.name == "concentric cylinders")
+      return make_cylinders(form, parameters, model);
+    AssertThrow(form.name == "Hertz" || form.name == "Hertz with friction",
+                ExcMessage("There is no closed form '" + form.name + "'."));
+    return make_hertz(form, parameters, model, results);
   }
 
 
 
-  std::map<std::string, double>
-  solution_errors(const ExactSolution       &exact,
-                  const Discretization<2>   &discretization,
-                  const Elasticity<2>       &elasticity,
-                  const ContactInterface<2> &interface,
-                  const ContactPair<2>      &contact_pair,
-                  const GhostedVector       &solution)
+  std::map<std::string, double> solution_errors(const ExactSolution  &exact,
+                                                const TwoBodies      &model,
+                                                const SlaveTractions &slave)
   {
     std::map<std::string, double> errors;
-    const auto                    add_on_slave =
-      [&](const std::string &name, const auto &function, const auto &index) {
-        std::vector<double> values(contact_pair.slave.nodes.size());
-        for (unsigned int n = 0; n < values.size(); ++n)
-          if (const unsigned int k = contact_pair.multipliers.of_node[n];
-              k != numbers::invalid_unsigned_int)
-            values[n] = solution[index(k)];
-        errors[name] = error_on_slave(function, contact_pair, values);
-      };
     if (exact.pressure)
-      add_on_slave("pressure", exact.pressure, [&](const unsigned int k) {
-        return interface.normal_index(k);
-      });
+      errors["pressure"] =
+        error_on_slave(exact.pressure, slave, slave.pressure);
     if (exact.shear)
-      add_on_slave("shear", exact.shear, [&](const unsigned int k) {
-        return interface.tangential_index(k);
-      });
+      errors["shear"] = error_on_slave(exact.shear, slave, slave.shear);
     if (exact.displacement)
-      {
-        GhostedVector u(discretization.distribution);
-        std::copy_n(solution.begin(), u.size(), u.begin());
-        add_errors_in_bodies(exact, discretization, elasticity, u, errors);
-      }
+      add_errors_in_bodies(exact, model, errors);
     return errors;
   }
-} // namespace Contact
+} // namespace Tests
