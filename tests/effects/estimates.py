@@ -40,9 +40,7 @@ def solve(contact, scene, *settings):
         command = [str(contact), str(file), "--quiet"]
         for setting in (f"Output/Directory={directory}", "Output/VTU=false",
                         "Output/Profile=false", "Probes/References=",
-                        "Probes/Tolerances=", "Probes/Concentric cylinders=",
-                        "Probes/Hertz=", "Probes/Frictional theory=false",
-                        *settings):
+                        "Probes/Tolerances=", *settings):
             command += ["--set", setting]
         try:
             ended = subprocess.run(command, capture_output=True, text=True,

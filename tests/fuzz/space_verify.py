@@ -24,7 +24,7 @@ def rows_of(directory, scene, file):
     path = directory / "output" / scene.name / file
     with open(path, newline="") as lines:
         return [{key: value if key in ("surface", "body") else float(value)
-                 for key, value in row.items() if not key.startswith("exact")}
+                 for key, value in row.items()}
                 for row in csv.DictReader(lines)]
 
 

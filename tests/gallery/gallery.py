@@ -27,7 +27,9 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "tests/study"))
+sys.path.append(str(ROOT / "tests"))  # behind those of the same name here
 import examples  # noqa: E402
+import line_contact  # noqa: E402
 import plots  # noqa: E402
 import report  # noqa: E402
 import space  # noqa: E402
@@ -152,10 +154,10 @@ def draw_pressures(cases: list[Path], path: Path) -> None:
                       f'lc rgb "{plots.COLOURS[i + 1]}" '
                       f'title "{case.name}: {describe(case)}" noenhanced')
     # The curve of theory on a fine line of its own.
-    exact = summary(cases[-1])["exact"]
-    half_width = f"{exact['half_width']:.9g}"
+    exact = line_contact.ssnp154(35000)
+    half_width = f"{exact.half_width:.9g}"
     curves.append(f"abs(x) > {half_width} ? NaN : "
-                  f"{exact['max_pressure']:.9g} * sqrt(1 - "
+                  f"{exact.max_pressure:.9g} * sqrt(1 - "
                   f"(x / {half_width})**2) "
                   'lw 2 dt 2 lc rgb "#000000" title "Hertz"')
     lines += ["set samples 2000", "set key top right",

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The views of a case in ParaView: von Mises stress on the deformed bodies, the
-mesh at the contact with the pressure on the slave, the pressure over the arc
-beside the exact one where theory knows it, shear and slip. Of a case in 3-D:
-the bodies clipped by a plane through the contact, the mesh on this cut, the
-pressure on the slave, and its status with the shear as arrows.
+mesh at the contact with the pressure on the slave, pressure and shear over the
+arc. Of a case in 3-D: the bodies clipped by a plane through the contact, the
+mesh on this cut, the pressure on the slave, and its status with the shear as
+arrows.
 
 As a macro (Macros, Import new macro ...): open bodies.pvd of a case, select it
 in the pipeline, press the button. From a shell
@@ -113,14 +113,6 @@ def curves(table, view, columns, zone):
     view.BottomAxisRangeMaximum = zone[0] + LARGEST_ZONE * (zone[1] - zone[0])
 
 
-def columns_with_values(directory, columns):
-    """Those that are not empty: the exact ones are where theory has none."""
-    with open(os.path.join(directory, "profile.csv"), newline="") as file:
-        rows = list(csv.DictReader(file))
-    # Not by any(): a programmable filter puts one of its own in its place.
-    return [c for c in columns if {row[c[0]] for row in rows} != {""}]
-
-
 def plane_views(directory):
     """The layout of a plane case, and the largest pressure."""
     bodies, surface = moved(directory, "bodies"), moved(directory, "contact")
@@ -154,14 +146,12 @@ for name in inputs[0].RowData.keys():
 """
     pressure = pv.CreateView("XYChartView")
     pressure.LeftAxisTitle = "pressure [MPa]"
-    curves(slave, pressure, columns_with_values(directory, [
-        ("pressure_MPa", "contact"), ("exact_pressure_MPa", "theory")]), arc)
+    curves(slave, pressure, [("pressure_MPa", "contact")], arc)
     shear = pv.CreateView("XYChartView")
     shear.LeftAxisTitle = "shear [MPa]"
     shear.RightAxisTitle = "0 open, 1 slip, 2 stick"
-    curves(slave, shear, columns_with_values(directory, [
-        ("shear_MPa", "shear"), ("exact_shear_MPa", "theory"),
-        ("status_0_open_1_slip_2_stick", "status")]), arc)
+    curves(slave, shear, [("shear_MPa", "shear"),
+                          ("status_0_open_1_slip_2_stick", "status")], arc)
 
     # Cells of a layout are numbered as in a binary heap.
     layout = pv.CreateLayout(name=os.path.basename(directory))

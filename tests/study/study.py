@@ -4,10 +4,12 @@
 
     study.py [--quick] [--problem NAME ...] [--output DIR] CONTACT
 
-CONTACT is the program. A finished run is kept in DIR/runs and used again as
-long as program, input files and arguments are the same: after an interruption
-the next call goes on with what is missing. Exit status: 0, 1 if a check or a
-run has failed, 2 if the call is wrong, 130 or 143 if interrupted.
+CONTACT is the program; closed_form_errors, which compares its results, is
+looked for where the build of CONTACT puts it. A finished run is kept in
+DIR/runs and used again as long as program, input files and arguments are the
+same: after an interruption the next call goes on with what is missing. Exit
+status: 0, 1 if a check or a run has failed, 2 if the call is wrong, 130 or 143
+if interrupted.
 """
 
 from __future__ import annotations
@@ -47,6 +49,16 @@ TIMED = ("ssnp154", "knobs")
 TIME_LIMIT = 300
 
 
+def compare(program: Path, run: matrix.Run, file: Path, results: Path) -> dict:
+    """Values of the closed form of a run, and the errors against them."""
+    ended = subprocess.run([program, run.closed_form, file, *arguments(run),
+                            results], capture_output=True, text=True,
+                           env={**os.environ, **ENVIRONMENT})
+    if ended.returncode != 0:
+        sys.exit(f"study.py: {run.id} is not compared: {ended.stderr}")
+    return json.loads(ended.stdout)
+
+
 class Interrupted(Exception):
     """By a signal, whose number it carries."""
 
@@ -82,6 +94,10 @@ def digest(*parts: bytes) -> str:
 def arguments(run: matrix.Run) -> list[str]:
     """The options that make the run what it is."""
     entries = {**COMMON, **run.entries()}
+    if run.closed_form:
+        entries["Output/Profile"] = "true"
+    if run.closed_form.startswith("concentric"):
+        entries["Output/Nodes"] = "true"
     return [word for entry, value in entries.items()
             for word in ("--set", f"{entry}={value}")]
 
@@ -132,6 +148,11 @@ class Study:
 
     def __init__(self, options):
         self.contact = options.contact.resolve()
+        self.closed_forms = (options.closed_forms or self.contact.parent /
+                             "tests/closed_form_errors").resolve()
+        if not self.closed_forms.is_file():
+            sys.exit(f"study.py: {self.closed_forms} is missing: build it, or "
+                     "say where it is with --closed-forms")
         self.parameters = options.parameters.resolve()
         self.output = options.output.resolve()
         self.quick = options.quick
@@ -154,6 +175,8 @@ class Study:
         files = input_files(self.parameters / run.file)
         text = [self.program_hash, digest(*(f.read_bytes() for f in files)),
                 f"best of {self.best_of(run)}", *arguments(run)]
+        if run.closed_form:
+            text += [run.closed_form, digest(self.closed_forms.read_bytes())]
         return digest(*(t.encode() for t in text))
 
     def path(self, run: matrix.Run) -> Path:
@@ -189,6 +212,10 @@ class Study:
                   "spent": time.perf_counter() - begin, **measured,
                   "message": failure(measured, summary, log),
                   "summary": summary}
+        if summary.get("converged") and run.closed_form:
+            result["closed_form"] = compare(
+                self.closed_forms, run, self.parameters / run.file,
+                summaries[0].parent)
         shutil.rmtree(scratch)
         write_atomically(self.path(run), json.dumps(result, indent=1))
         return result
@@ -295,6 +322,9 @@ def parse(argv):
                         metavar="DIR", help="where results go [study]")
     parser.add_argument("--parameters", type=Path, default=DEFAULT_PARAMETERS,
                         metavar="DIR", help="where the parameter files are")
+    parser.add_argument("--closed-forms", type=Path, metavar="PROGRAM",
+                        help="compares results with closed forms "
+                        "[beside CONTACT: tests/closed_form_errors]")
     parser.add_argument("--list", action="store_true",
                         help="print the commands of all runs and stop")
     options = parser.parse_args(argv)

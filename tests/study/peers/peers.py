@@ -59,7 +59,6 @@ ENTRIES = {
     "Refinement/Levels": "0",
     "Probes/References": "",
     "Probes/Tolerances": "",
-    "Probes/Hertz": "",
     "Output/Screen": "none",
 }
 
