@@ -218,9 +218,9 @@ namespace Tests
 
 
 
-    /// Of values that are interpolated between the nodes of a slave. Where
-    /// contact ends the exact ones have a kink within an edge: hence many
-    /// points.
+    /// Error of values that are interpolated between the nodes of a slave.
+    /// Where contact ends the exact ones have a kink within an edge: hence
+    /// many points.
     double error_on_slave(const std::function<double(const Point<2> &)> &exact,
                           const SlaveTractions                          &slave,
                           const std::vector<double>                     &values)
