@@ -88,6 +88,7 @@
 #include <memory>
 #include <sstream>
 
+#include "adaptivity/coarser_level.h"
 #include "adaptivity/effect_estimates.h"
 #include "adaptivity/error_estimator.h"
 #include "adaptivity/goal_errors.h"
@@ -95,7 +96,6 @@
 #include "base/all_ranks.h"
 #include "base/errors.h"
 #include "base/interruption.h"
-#include "contact/interface/surface_transfer.h"
 #include "contact/results/contact_crossing.h"
 #include "output/accuracy.h"
 #include "output/application.h"
@@ -141,7 +141,6 @@ namespace Contact
     ProbeErrors estimate_errors();
     void        solve_increment(const LoadSteps::Step &step);
     void        check_turns() const;
-    void        check_ways() const;
     bool        has_coarser_start(const LoadSteps::Step &step) const;
     void        start_from_coarser_level(const unsigned int increment);
     bool        try_again(LoadSteps             &steps,
@@ -182,18 +181,9 @@ namespace Contact
     Postprocessor<dim>                   postprocessor;
     Checkpoint<dim>                      checkpoint;
 
-    // Nested iteration: the level, and on the level before the solutions and
-    // the states of the surfaces after each increment.
-    struct CoarserLevel
-    {
-      std::vector<GhostedVector>                  solutions;
-      std::vector<std::vector<SurfaceState<dim>>> surfaces;
-      std::vector<std::vector<double>>            motions;
-      Vector<float>                               indicators; // see GoalErrors
-    };
-
-    Levels       levels;
-    CoarserLevel coarser;
+    // Nested iteration: the level, and the one before.
+    Levels            levels;
+    CoarserLevel<dim> coarser;
 
     // Of the increments on the present mesh, for the effects.
     StressPeaks<dim> stress_peaks;
@@ -201,18 +191,6 @@ namespace Contact
     bool is_smallest_step        = false; // of the load
     bool open_stability_is_noted = false;
   };
-
-
-
-  // Errors are estimated in 2-D.
-  template<>
-  ProbeErrors ContactProblem<2>::estimate_errors();
-  template<>
-  ProbeErrors ContactProblem<3>::estimate_errors();
-  template<>
-  void ContactProblem<2>::estimate_effects();
-  template<>
-  void ContactProblem<3>::estimate_effects();
 
 
 
@@ -395,8 +373,8 @@ namespace Contact
   template<int dim>
   void ContactProblem<dim>::solve_level()
   {
-    CoarserLevel here;
-    LoadSteps    steps(parameters.solution.n_increments,
+    CoarserLevel<dim> here;
+    LoadSteps         steps(parameters.solution.n_increments,
                     parameters.solution.max_cuts);
     stabilization.begin_level();
     if (levels.present() > 0 && model.has_friction())
@@ -447,16 +425,7 @@ namespace Contact
               checkpoint.write(steps);
           }
         if (levels.may_be_followed() && step.ends_increment)
-          {
-            here.solutions.push_back(state.solution);
-            if (model.interface)
-              {
-                here.surfaces.push_back(
-                  save_surfaces(*model.interface, state.solution));
-                here.motions.push_back(
-                  model.interface->motions(state.solution));
-              }
-          }
+          here.add(model, state.solution);
       }
     coarser = std::move(here);
     postprocessor.record_level(levels.present(),
@@ -471,21 +440,18 @@ namespace Contact
   //
   // The dual problems, one for each probe, are linear: they are solved under
   // the statuses that the last increment has ended with.
-  template<>
-  ProbeErrors ContactProblem<2>::estimate_errors()
+  template<int dim>
+  ProbeErrors ContactProblem<dim>::estimate_errors()
   {
-    if (!parameters.probes.dual_weighted_residuals &&
-        !parameters.asks_for_accuracy())
-      return {};
-    GoalErrors goal_errors(parameters, model, state, report.timer);
-    const auto errors  = goal_errors.estimate();
-    coarser.indicators = goal_errors.indicators();
-    return errors;
-  }
-
-  template<>
-  ProbeErrors ContactProblem<3>::estimate_errors()
-  {
+    if constexpr (dim == 2)
+      if (parameters.probes.dual_weighted_residuals ||
+          parameters.asks_for_accuracy())
+        {
+          GoalErrors goal_errors(parameters, model, state, report.timer);
+          const auto errors  = goal_errors.estimate();
+          coarser.indicators = goal_errors.indicators();
+          return errors;
+        }
     return {};
   }
 
@@ -538,7 +504,7 @@ namespace Contact
       {
         model.interface->place_obstacles(state.solution, /*keeps_place=*/true);
         check_turns();
-        check_ways();
+        check_obstacles(model.interface->pairs, state.start, state.solution);
       }
 
     // No equation determines the place of a body that has lost its contact: it
@@ -572,25 +538,6 @@ namespace Contact
 
 
 
-  // @sect4{ContactProblem::check_ways}
-  //
-  // Behind an obstacle that has gone through the slave within the increment all
-  // conditions of contact may hold, on its other side.
-  template<int dim>
-  void ContactProblem<dim>::check_ways() const
-  {
-    for (const auto &contact_pair : model.interface->pairs)
-      if (contact_pair->obstacle && !contact_pair->tied)
-        if (const auto crossing =
-              find_crossing(*contact_pair, state.start, state.solution))
-          throw NotConverged(
-            "an obstacle goes through its slave at X = (" + brief(crossing->X) +
-            ") mm within the increment: the node is " + brief(crossing->depth) +
-            " mm behind the side that it was in front of");
-  }
-
-
-
   // @sect4{ContactProblem::has_coarser_start}
   //
   // Behind a cut an increment starts at the end of the last one on this mesh.
@@ -604,25 +551,15 @@ namespace Contact
 
   // @sect4{ContactProblem::start_from_coarser_level}
   //
-  // A motion that stays is where this mesh has left it. The bodies have given
-  // way to thermal strains already.
+  // The bodies have given way to thermal strains already.
   template<int dim>
   void
   ContactProblem<dim>::start_from_coarser_level(const unsigned int increment)
   {
     model.elasticity->end_first_step();
-    const GhostedVector &u = coarser.solutions[increment - 1];
-    std::copy(u.begin(), u.end(), state.solution.begin());
-    if (model.interface)
-      for (unsigned int k = 0; k < model.interface->free_motions().size(); ++k)
-        if (!model.interface->free_motions()[k]->stays)
-          state.solution[model.interface->motion_index(k)] =
-            coarser.motions[increment - 1][k];
+    coarser.set_start(model, increment, state.solution);
     pairing.pair_near_contact(state.solution, /*from_coarser_mesh=*/true);
-    if (model.interface)
-      restore_surfaces(coarser.surfaces[increment - 1],
-                       *model.interface,
-                       state.solution);
+    coarser.set_surfaces(model, increment, state.solution);
   }
 
 
@@ -994,33 +931,31 @@ namespace Contact
   //
   // How much the probes change by an effect that the scene has, or leaves out,
   // follows from the residual of the other scene in this one's state.
-  template<>
-  void ContactProblem<2>::estimate_effects()
+  template<int dim>
+  void ContactProblem<dim>::estimate_effects()
   {
-    if (!parameters.solution.estimate_effects)
-      return;
-    report.record(strain_range(*model.discretization, state.solution));
-    EffectEstimates effects(parameters,
-                            model,
-                            state,
-                            stress_peaks,
-                            report.timer);
-    try
+    if constexpr (dim == 2)
       {
-        const auto estimates = effects.estimate();
-        report.record(estimates, effects.remainders());
+        if (!parameters.solution.estimate_effects)
+          return;
+        report.record(strain_range(*model.discretization, state.solution));
+        EffectEstimates effects(parameters,
+                                model,
+                                state,
+                                stress_peaks,
+                                report.timer);
+        try
+          {
+            const auto estimates = effects.estimate();
+            report.record(estimates, effects.remainders());
+          }
+        catch (const NotConverged &failure)
+          {
+            report.print_error(
+              std::string(": note: effects cannot be estimated: ") +
+              failure.what());
+          }
       }
-    catch (const NotConverged &failure)
-      {
-        report.print_error(
-          std::string(": note: effects cannot be estimated: ") +
-          failure.what());
-      }
-  }
-
-  template<>
-  void ContactProblem<3>::estimate_effects()
-  {
   }
 
 

@@ -314,6 +314,7 @@ def held_side():
             " Displacement y: max(0, 2*t-1)",
         "Contact/Slave": "Up_z0", "Contact/Master": "Low_z1",
         "Contact/Friction coefficient": 0.3, "Solution/Increments": 4,
+        "Solution/Newton tolerance": 1e-10,
         "Output/Profile": "true", "Probes/Probes": "; ".join(
             f"{c}: reaction {c}, Low_z0" for c in AXES)}
     status, said, summary = run("held", entries)

@@ -10,6 +10,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/errors.h"
+#include "base/string_utilities.h"
+
 namespace Contact
 {
   namespace
@@ -288,6 +291,23 @@ namespace Contact
     return deepest;
   }
 
+
+
+  template<int dim>
+  void check_obstacles(
+    const std::vector<std::unique_ptr<const ContactPair<dim>>> &pairs,
+    const GhostedVector                                        &from,
+    const GhostedVector                                        &to)
+  {
+    for (const auto &contact_pair : pairs)
+      if (contact_pair->obstacle && !contact_pair->tied)
+        if (const auto crossing = find_crossing(*contact_pair, from, to))
+          throw NotConverged(
+            "an obstacle goes through its slave at X = (" + brief(crossing->X) +
+            ") mm within the increment: the node is " + brief(crossing->depth) +
+            " mm behind the side that it was in front of");
+  }
+
   template std::optional<ContactCrossing<2>>
   find_crossing(const ContactPair<2> &,
                 const GhostedVector &,
@@ -296,4 +316,12 @@ namespace Contact
   find_crossing(const ContactPair<3> &,
                 const GhostedVector &,
                 const GhostedVector &);
+  template void
+  check_obstacles(const std::vector<std::unique_ptr<const ContactPair<2>>> &,
+                  const GhostedVector &,
+                  const GhostedVector &);
+  template void
+  check_obstacles(const std::vector<std::unique_ptr<const ContactPair<3>>> &,
+                  const GhostedVector &,
+                  const GhostedVector &);
 } // namespace Contact

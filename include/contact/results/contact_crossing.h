@@ -44,6 +44,14 @@ namespace Contact
   find_crossing(const ContactPair<dim> &contact_pair,
                 const GhostedVector    &from,
                 const GhostedVector    &to);
+
+  /// Throw NotConverged if an obstacle has gone through its slave: behind it
+  /// all conditions of contact may hold, on its other side.
+  template<int dim>
+  void check_obstacles(
+    const std::vector<std::unique_ptr<const ContactPair<dim>>> &pairs,
+    const GhostedVector                                        &from,
+    const GhostedVector                                        &to);
 } // namespace Contact
 
 #endif
