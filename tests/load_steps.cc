@@ -92,32 +92,12 @@ namespace
 
 
 
-  // Proves that a residual may rise for ten steps, but then not above the last
-  // five, that what is no number never passes, when the method stands still,
-  // and when only one point may change.
+  // Proves when the method stands still, and when only one point may change.
   void check_guard()
   {
     headline("guard of Newton's method");
     NewtonGlobalization guard;
-    check("anything to begin with", guard.accepts(1e30));
-    check("but a number", !guard.accepts(std::nan("")));
-    guard.advance(1, 1);
-    guard.advance(0.1, 1);
-    for (unsigned int i = 0; i < 9; ++i)
-      {
-        check("uphill for a while", guard.accepts(1e3));
-        guard.advance(0.5, 1);
-      }
-    guard.advance(0.5, 1);
-    check("then not above the largest of the last five",
-          guard.accepts(0.5) && !guard.accepts(0.6));
-    guard.advance(0.05, 1);
-    check("progress: uphill again", guard.accepts(1e3));
-    guard.forget();
-    check("after a new start anything", guard.accepts(7));
-
-    guard.forget();
-    unsigned int still = 0;
+    unsigned int        still = 0;
     while (!guard.stands_still())
       {
         guard.advance(0.5 - 1e-3 * still, 0);
