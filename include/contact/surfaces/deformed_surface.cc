@@ -12,23 +12,6 @@ namespace Contact
 {
   namespace
   {
-    /// Whether a direction is between the normals of the two edges of a convex
-    /// corner.
-    bool is_between(const std::vector<Tensor<1, 2>> &normals,
-                    const Tensor<1, 2>              &direction)
-    {
-      const Tensor<1, 2> &first = normals.front(), &last = normals.back();
-      return cross(first, direction) > 0 && cross(direction, last) > 0 &&
-             cross(first, last) > 0;
-    }
-
-    bool is_between(const std::vector<Tensor<1, 3>> &, const Tensor<1, 3> &)
-    {
-      return false;
-    }
-
-
-
     /// Lines of nodes along a coordinate of a facet: the first, the last and
     /// the middle one.
     using NodeLine = std::array<unsigned int, 3>;
@@ -51,43 +34,6 @@ namespace Contact
       return {{{0, 2, 4}}, {{1, 3, 5}}, {{6, 7, 8}}};
     }
   } // namespace
-
-
-
-  template<int dim>
-  double NormalCone<dim>::largest_cosine(const Tensor<1, dim> &normal) const
-  {
-    double largest = -1;
-    for (const Tensor<1, dim> &n : normals)
-      largest = std::max(largest, -(normal * n));
-    return largest;
-  }
-
-
-
-  template<int dim>
-  bool NormalCone<dim>::faces(const Tensor<1, dim> &normal) const
-  {
-    const double largest = largest_cosine(normal);
-    const double angle   = std::acos(std::clamp(largest, -1., 1.));
-    // Sides that face it alike do so together.
-    const double alike = numbers::PI / 360 * Surface<dim>::feature_angle;
-    return std::none_of(others.begin(),
-                        others.end(),
-                        [&](const auto &n) {
-                          return std::acos(std::clamp(-(normal * n), -1., 1.)) <
-                                 angle - alike;
-                        }) &&
-           (largest >= smallest_cosine() || is_between(normals, -normal));
-  }
-
-
-
-  template<int dim>
-  bool NormalCone<dim>::is_beside(const Tensor<1, dim> &normal) const
-  {
-    return largest_cosine(normal) > -smallest_cosine();
-  }
 
 
 
@@ -158,10 +104,10 @@ namespace Contact
 
 
   template<int dim>
-  typename DeformedSurface<dim>::Nodes
+  FacetNodes<dim>
   DeformedSurface<dim>::facet_positions(const unsigned int facet) const
   {
-    Nodes x;
+    FacetNodes<dim> x;
     for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
       x[a] = positions[surface.facets[facet].nodes[a]];
     return x;
@@ -188,7 +134,7 @@ namespace Contact
   std::vector<Point<dim>>
   DeformedSurface<dim>::hull(const unsigned int facet) const
   {
-    Nodes points = facet_positions(facet);
+    FacetNodes<dim> points = facet_positions(facet);
     for (unsigned int k = 0; k < dim - 1; ++k)
       for (const auto &[first, last, middle] : lines_along<dim>(k))
         {
@@ -458,105 +404,19 @@ namespace Contact
 
 
 
-  // Of half the squared distance. Where its Hessian is not positive definite,
-  // Gauss-Newton takes over; so it does at first, which from the middle is the
-  // projection on the tangents there. Iterates stay near the facet. Where it is
-  // far from the origin, the round-off of places may be more than the
-  // tolerance: then the last steps do not become shorter.
-  template<int dim>
-  FacetPoint<dim> DeformedSurface<dim>::minimize(const Point<dim>  &x,
-                                                 const Nodes       &nodes,
-                                                 FacetPoint<dim>    xi,
-                                                 const unsigned int fixed) const
-  {
-    using Hessian = SymmetricTensor<2, dim - 1>;
-
-    const double small = 1e-8;
-    double       last  = std::numeric_limits<double>::max();
-    for (unsigned int iteration = 0; iteration < 50; ++iteration)
-      {
-        const FacetShape<dim>               shape(surface.degree, xi);
-        Tensor<1, dim>                      r = x;
-        std::array<Tensor<1, dim>, dim - 1> t;
-        std::array<std::array<Tensor<1, dim>, dim - 1>, dim - 1> second;
-        for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-          {
-            r -= shape.value[a] * nodes[a];
-            for (unsigned int k = 0; k < dim - 1; ++k)
-              {
-                t[k] += shape.derivative(a, k) * nodes[a];
-                for (unsigned int l = 0; l <= k; ++l)
-                  second[k][l] += shape.second_derivative(a, k, l) * nodes[a];
-              }
-          }
-        Hessian            gauss, full;
-        Tensor<1, dim - 1> slope;
-        for (unsigned int k = 0; k < dim - 1; ++k)
-          {
-            slope[k] = k == fixed ? 0. : r * t[k];
-            for (unsigned int l = 0; l <= k; ++l)
-              {
-                const bool is_free = k != fixed && l != fixed;
-                gauss[k][l]        = is_free ? t[k] * t[l] : double(k == l);
-                full[k][l] = gauss[k][l] - (is_free ? r * second[k][l] : 0.);
-              }
-          }
-        const bool is_convex =
-          full[0][0] > 0 && determinant(full) > 1e-3 * determinant(gauss);
-        const Tensor<1, dim - 1> step =
-          invert(iteration > 0 && is_convex ? full : gauss) * slope;
-        for (unsigned int k = 0; k < dim - 1; ++k)
-          coordinate(xi, k) =
-            std::max(-2., std::min(2., coordinate(xi, k) + step[k]));
-        const double length = step.norm();
-        if (length < 1e-14 || (length < small && length >= last))
-          break;
-        last = length;
-      }
-    return xi;
-  }
-
-
-
-  // Outside, the closest point is on one of the sides.
   template<int dim>
   Projection<dim> DeformedSurface<dim>::project(const Point<dim>  &x,
                                                 const unsigned int facet) const
   {
-    const auto nodes = facet_positions(facet);
     std::array<std::pair<double, double>, dim - 1> box;
     for (unsigned int k = 0; k < dim - 1; ++k)
       box[k] = range(facet, k);
-    const auto inside = [&](FacetPoint<dim> xi) {
-      for (unsigned int k = 0; k < dim - 1; ++k)
-        coordinate(xi, k) =
-          std::clamp(coordinate(xi, k), box[k].first, box[k].second);
-      return xi;
-    };
-
-    const FacetPoint<dim> whole = minimize(x, nodes, FacetPoint<dim>());
-    Projection<dim>       found;
-    found.facet   = facet;
-    found.xi      = whole;
-    found.clipped = inside(whole) != whole;
-    if (!found.clipped)
-      return found;
-
-    double smallest = std::numeric_limits<double>::max();
-    for (unsigned int s = 0; s < SurfaceFacet<dim>::n_sides; ++s)
-      {
-        const unsigned int k       = s / 2;
-        Projection<dim>    on_side = found;
-        on_side.xi                 = inside(whole);
-        coordinate(on_side.xi, k)  = s % 2 == 0 ? box[k].first : box[k].second;
-        on_side.xi                 = inside(minimize(x, nodes, on_side.xi, k));
-        const double distance      = distance_square(x, on_side);
-        if (distance < smallest)
-          {
-            smallest = distance;
-            found.xi = on_side.xi;
-          }
-      }
+    const auto [xi, whole] =
+      project_on_facet(surface.degree, x, facet_positions(facet), box);
+    Projection<dim> found;
+    found.facet      = facet;
+    found.xi         = xi;
+    found.clipped    = xi != whole;
     const auto &ends = surface.facets[facet].ends_face;
     for (unsigned int k = 0; k < dim - 1; ++k)
       if ((coordinate(whole, k) < box[k].first && ends[2 * k]) ||
@@ -575,8 +435,6 @@ namespace Contact
     return x.distance_square(position(projection.facet, projection.xi));
   }
 
-  template struct NormalCone<2>;
-  template struct NormalCone<3>;
   template class DeformedSurface<2>;
   template class DeformedSurface<3>;
 } // namespace Contact

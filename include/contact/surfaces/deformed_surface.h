@@ -9,70 +9,14 @@
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>
 
-#include <functional>
-#include <limits>
 #include <optional>
 
-#include "contact/surfaces/surface.h"
+#include "contact/surfaces/facet_projection.h"
+#include "contact/surfaces/normal_cone.h"
 
 namespace Contact
 {
   using namespace dealii;
-
-  /**
-   * The directions in which a place of a surface looks: the outward normal
-   * there, and at a corner those of all facets; in 2-D also all between
-   * the normals of the two edges of a convex one.
-   */
-  template<int dim>
-  struct NormalCone
-  {
-    /// In 2-D in the order of the edges.
-    std::vector<Tensor<1, dim>> normals;
-
-    /// At an end of the surface, where the body has a side that is in no group:
-    /// a face beside it counts if none is opposite.
-    bool at_end = false;
-
-    /// The normals of other sides that meet there: a face that is more opposite
-    /// to one of them, by half of Surface::feature_angle, is theirs.
-    std::vector<Tensor<1, dim>> others{};
-
-    /// The distance beyond the end of a face up to which it looks [mm].
-    double reach = std::numeric_limits<double>::max();
-
-    /// Whether the place @p x may be further than that behind a place @p y of a
-    /// face, as both bodies overlap there; it may if nothing is given.
-    std::function<bool(const Point<dim> &x, const Point<dim> &y)> overlap{};
-
-    /**
-     * Faces whose normals are further from opposite than this do not face each
-     * other [degrees]: the side of a body beside a place that looks past it,
-     * which tilts as the body bulges, is no partner, while the flanks of a
-     * wedge of 30 degrees still are to what its tip stands on. (Other codes
-     * have limits from 40 degrees on; a length that is projected grows by
-     * 1/cos, here 3.9.)
-     */
-    static constexpr double largest_angle = 75;
-
-    static double smallest_cosine()
-    {
-      return std::cos(largest_angle * numbers::PI / 180);
-    }
-
-    /// Whether a facet of this outward normal is face to face.
-    bool faces(const Tensor<1, dim> &normal) const;
-
-    /// Whether it is at least not back to back.
-    bool is_beside(const Tensor<1, dim> &normal) const;
-
-  private:
-    /// The cosine of the angle between the opposite of a normal and the closest
-    /// of the normals here.
-    double largest_cosine(const Tensor<1, dim> &normal) const;
-  };
-
-
 
   /// The point of a surface that is closest to a point in 3-D.
   template<int dim>
@@ -181,7 +125,6 @@ namespace Contact
     using Box    = BoundingBox<dim>;
     using Tree   = RTree<std::pair<Box, unsigned int>>;
     using Accept = std::function<bool(const Projection<dim> &)>;
-    using Nodes  = PerFacetNode<dim, Point<dim>>;
 
     /// The closest point of those accepted; off the end if there is none.
     Projection<dim> choose(const Point<dim> &x, const Accept &accept) const;
@@ -221,15 +164,7 @@ namespace Contact
     std::pair<double, double> range(const unsigned int facet,
                                     const unsigned int k) const;
 
-    /// Newton's method for the closest point from @p xi, with the coordinate
-    /// @p fixed as it is.
-    FacetPoint<dim>
-    minimize(const Point<dim>  &x,
-             const Nodes       &nodes,
-             FacetPoint<dim>    xi,
-             const unsigned int fixed = numbers::invalid_unsigned_int) const;
-
-    Nodes facet_positions(const unsigned int facet) const;
+    FacetNodes<dim> facet_positions(const unsigned int facet) const;
 
     const Tree &tree() const;
 

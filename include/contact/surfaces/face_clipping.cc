@@ -174,11 +174,4 @@ namespace Contact
   {
     return std::abs(cross(by_x + xi[1] * mixed, by_y + xi[0] * mixed));
   }
-
-
-
-  Point<2> coordinates_in(const PlaneQuadrangle &q, const Point<2> &x)
-  {
-    return BilinearMap(q).coordinates_of(x);
-  }
 } // namespace Contact

@@ -79,9 +79,6 @@ namespace Contact
     double       bend;
   };
 
-  /// The same for one point.
-  Point<2> coordinates_in(const PlaneQuadrangle &quadrangle, const Point<2> &x);
-
   /// The area of a triangle, not signed.
   double area(const PlaneTriangle &triangle);
 } // namespace Contact

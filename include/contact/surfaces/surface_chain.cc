@@ -24,14 +24,6 @@ namespace Contact
 
 
   template<>
-  double node_place<2>(const unsigned int a)
-  {
-    return node_coordinates[a];
-  }
-
-
-
-  template<>
   Tensor<1, 2> Surface<2>::reference_tangent(const SurfaceFacet<2> &edge,
                                              const double           xi) const
   {

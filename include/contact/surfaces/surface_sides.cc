@@ -14,15 +14,6 @@
 
 namespace Contact
 {
-  template<>
-  Point<2> node_place<3>(const unsigned int a)
-  {
-    const auto [i, j] = FacetShapes<3, double>::factors[a];
-    return {node_coordinates[i], node_coordinates[j]};
-  }
-
-
-
   namespace
   {
     /// Two nodes, or a facet and the number of a side.

@@ -1,0 +1,38 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_facet_projection_h
+#define contact_facet_projection_h
+
+#include <utility>
+
+#include "contact/surfaces/facet_shapes.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// The places of the nodes of a facet.
+  template<int dim>
+  using FacetNodes = PerFacetNode<dim, Point<dim>>;
+
+  /// The closest point of a facet whose coordinates are in a box.
+  template<int dim>
+  struct FacetProjection
+  {
+    FacetPoint<dim> xi;
+    FacetPoint<dim> unbounded; // of the facet as it goes on beyond the box
+  };
+
+  /// That of @p x. The box has an interval of each coordinate.
+  template<int dim>
+  FacetProjection<dim>
+  project_on_facet(const unsigned int                                    degree,
+                   const Point<dim>                                     &x,
+                   const FacetNodes<dim>                                &nodes,
+                   const std::array<std::pair<double, double>, dim - 1> &box);
+} // namespace Contact
+
+#endif

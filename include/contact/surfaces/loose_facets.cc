@@ -1,0 +1,187 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "contact/surfaces/loose_facets.h"
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace Contact
+{
+  namespace
+  {
+    /// Of each cell of the coarse mesh, which every rank has, the connected
+    /// part of the mesh that it belongs to: a cell number that all of it share.
+    template<int dim>
+    std::vector<unsigned int> connected_parts(const Triangulation<dim> &mesh)
+    {
+      std::vector<unsigned int> root(mesh.n_cells(0));
+      std::iota(root.begin(), root.end(), 0);
+      const auto find = [&](unsigned int c) {
+        while (root[c] != c)
+          c = root[c] = root[root[c]];
+        return c;
+      };
+
+      std::map<unsigned int, unsigned int> cell_of_vertex;
+      for (const auto &cell : mesh.cell_iterators_on_level(0))
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            const unsigned int own = cell->index();
+            const auto         other =
+              cell_of_vertex.emplace(cell->vertex_index(v), own).first->second;
+            root[find(own)] = find(other);
+          }
+      for (unsigned int c = 0; c < root.size(); ++c)
+        root[c] = find(c);
+      return root;
+    }
+
+
+
+    /// The cell of the coarse mesh that a cell is a part of.
+    template<typename Cell>
+    unsigned int coarse_cell(Cell cell)
+    {
+      while (cell->level() > 0)
+        cell = cell->parent();
+      return cell->index();
+    }
+
+
+
+    /// The coordinates of a facet go round the outward normal.
+    void orient(LooseFacet<2> &edge, const Tensor<1, 2> &inward)
+    {
+      const Tensor<1, 2> along = edge.nodes[1].X - edge.nodes[0].X;
+      if (along[0] * inward[1] - along[1] * inward[0] < 0)
+        std::swap(edge.nodes[0], edge.nodes[1]);
+    }
+
+
+
+    // Exchanged coordinates exchange two corners, and the middles of the sides.
+    void orient(LooseFacet<3> &facet, const Tensor<1, 3> &inward)
+    {
+      auto              &nodes = facet.nodes;
+      const Tensor<1, 3> outward =
+        cross_product_3d(nodes[3].X - nodes[0].X, nodes[2].X - nodes[1].X);
+      if (outward * inward < 0)
+        return;
+      std::swap(nodes[1], nodes[2]);
+      std::swap(nodes[4], nodes[6]);
+      std::swap(nodes[5], nodes[7]);
+    }
+
+
+
+    /// Let the hanging nodes of a facet follow others. A node in the middle of
+    /// a larger side of degree 2 is the node that the larger facet has there.
+    template<int dim>
+    void find_leaders(const AffineConstraints<double> &hanging,
+                      LooseFacet<dim>                 &facet)
+    {
+      for (unsigned int a = 0; a < facet.nodes.size(); ++a)
+        {
+          auto       &dofs    = facet.nodes[a].dofs;
+          const auto *entries = hanging.get_constraint_entries(dofs[0]);
+          if (entries == nullptr)
+            continue;
+          if (entries->size() > 1)
+            facet.parents[a] = *entries;
+          else
+            for (auto &dof : dofs)
+              dof = hanging.get_constraint_entries(dof)->front().first;
+        }
+    }
+
+
+
+    /// A face of a cell at the boundary, its part left open. The unknowns of a
+    /// face come in the order of its own vertices, then the middles of its
+    /// sides, and its centre.
+    template<int dim>
+    LooseFacet<dim>
+    make_loose_facet(const Discretization<dim> &discretization,
+                     const typename DoFHandler<dim>::active_cell_iterator &cell,
+                     const unsigned int                                    f)
+    {
+      const auto                           face  = cell->face(f);
+      const unsigned int                   index = cell->active_fe_index();
+      const auto                          &fe    = cell->get_fe();
+      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face(f));
+      std::vector<types::global_dof_index> of_cell(fe.n_dofs_per_cell());
+      face->get_dof_indices(dofs, index);
+      cell->get_dof_indices(of_cell);
+
+      LooseFacet<dim> facet;
+      facet.body  = cell->material_id();
+      facet.level = cell->level();
+      // Round sides do not make a flat face round.
+      facet.middle = face->center(
+        /*respect_manifold=*/face->manifold_id() != numbers::flat_manifold_id);
+      facet.name = facet_name(discretization, face);
+      for (unsigned int k = 0; k < dofs.size(); ++k)
+        {
+          const auto [c, a]      = fe.face_system_to_component_index(k, f);
+          facet.nodes[a].dofs[c] = dofs[k];
+          if (c > 0)
+            continue;
+          const unsigned int in_cell =
+            std::find(of_cell.begin(), of_cell.end(), dofs[k]) -
+            of_cell.begin();
+          facet.nodes[a].X =
+            a < face->n_vertices()
+              ? face->vertex(a)
+              : discretization.mapping[index].transform_unit_to_real_cell(
+                  cell,
+                  fe.base_element(0).unit_support_point(
+                    fe.system_to_component_index(in_cell).second));
+        }
+      orient(facet, cell->center() - face->center());
+      return facet;
+    }
+  } // namespace
+
+
+
+  template<int dim>
+  std::vector<LooseFacet<dim>>
+  loose_facets(const Discretization<dim>          &discretization,
+               const std::set<types::boundary_id> &boundary_ids)
+  {
+    const auto parts = connected_parts(discretization.mesh.triangulation);
+    AffineConstraints<double> hanging;
+    if (dim == 3 && discretization.mesh.triangulation.has_hanging_nodes())
+      DoFTools::make_hanging_node_constraints(discretization.dof_handler,
+                                              hanging);
+    hanging.close();
+    std::vector<LooseFacet<dim>> own;
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        {
+          const auto face = cell->face(f);
+          if (!cell->is_locally_owned() || !face->at_boundary() ||
+              boundary_ids.count(face->boundary_id()) == 0)
+            continue;
+
+          own.push_back(make_loose_facet<dim>(discretization, cell, f));
+          find_leaders(hanging, own.back());
+          own.back().part =
+            parts[coarse_cell<typename Triangulation<dim>::cell_iterator>(
+              cell)];
+        }
+    return own;
+  }
+
+  template std::vector<LooseFacet<2>>
+  loose_facets(const Discretization<2> &, const std::set<types::boundary_id> &);
+  template std::vector<LooseFacet<3>>
+  loose_facets(const Discretization<3> &, const std::set<types::boundary_id> &);
+} // namespace Contact

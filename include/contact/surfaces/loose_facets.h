@@ -1,0 +1,59 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef contact_loose_facets_h
+#define contact_loose_facets_h
+
+#include <boost/serialization/utility.hpp>
+#include <set>
+#include <vector>
+
+#include "contact/surfaces/surface.h"
+
+namespace Contact
+{
+  using namespace dealii;
+
+  /// A facet with its own nodes, as the ranks exchange it.
+  template<int dim>
+  struct LooseFacet
+  {
+    PerFacetNode<dim, SurfaceNode<dim>> nodes;
+    types::material_id                  body;
+    unsigned int                        part;
+    Point<dim>                          middle;
+    unsigned int                        level;
+    FacetName<dim>                      name;
+
+    /// The first unknowns of the nodes that a hanging one follows, and by how
+    /// much.
+    PerFacetNode<dim, std::vector<std::pair<types::global_dof_index, double>>>
+      parents;
+
+    template<class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      for (SurfaceNode<dim> &node : nodes)
+        {
+          for (auto &dof : node.dofs)
+            archive &dof;
+          archive &node.X;
+        }
+      archive &body &part &middle &level;
+      for (auto &dof : name)
+        archive &dof;
+      for (auto &of_node : parents)
+        archive &of_node;
+    }
+  };
+
+  /// The faces of the own cells on these boundaries.
+  template<int dim>
+  std::vector<LooseFacet<dim>>
+  loose_facets(const Discretization<dim>          &discretization,
+               const std::set<types::boundary_id> &boundary_ids);
+} // namespace Contact
+
+#endif
