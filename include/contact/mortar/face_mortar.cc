@@ -32,13 +32,6 @@ namespace Contact
 
 
 
-    double itself(const double value)
-    {
-      return value;
-    }
-
-
-
     using Clock = std::chrono::steady_clock;
 
     double seconds_since(const Clock::time_point start)
@@ -63,14 +56,6 @@ namespace Contact
     , master_bends(planes.bends(master, /*with_ends=*/false))
     , face_integrals(slave, master, excluded, master_bends)
   {
-  }
-
-
-
-  std::vector<ContactPoint<3>>
-  MortarDiscretization<3>::make_points(MultiplierSpace &multipliers) const
-  {
-    return make_nodal_points(slave, excluded, multipliers);
   }
 
 
@@ -339,12 +324,7 @@ namespace Contact
   {
     Tensor<1, 3> slave_normal;
     for (const unsigned int e : slave.facets_of_node[node])
-      {
-        const auto &nodes = slave.facets[e].nodes;
-        slave_normal +=
-          now.slave_normals[e][std::find(nodes.begin(), nodes.end(), node) -
-                               nodes.begin()];
-      }
+      slave_normal += now.slave_normals[e][slave.number_in(e, node)];
     slave_normal /= slave_normal.norm();
 
     const double of_slave = slave_bends[node];
@@ -368,6 +348,7 @@ namespace Contact
                                           ContactPoint<3>     &point) const
   {
     const double round_off = 1e-10;
+    const auto   itself    = [](const double value) { return value; };
     const auto value_of = [](const OfMaster &of_node) { return of_node.value; };
     const auto add      = [&](const SurfaceNode<3> &of, const double integral) {
       point.add_node(of, integral / integrals.weight);

@@ -46,7 +46,10 @@ namespace Contact
 
     /// See MortarDiscretization<2>.
     std::vector<ContactPoint<3>>
-    make_points(MultiplierSpace &multipliers) const;
+    make_points(MultiplierSpace &multipliers) const
+    {
+      return make_nodal_points(slave, excluded, multipliers);
+    }
 
     bool pair(const ArrayView<ContactPoint<3>> &points,
               const GhostedVector              &u,

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "contact/mortar/face_dual_functions.h"
+#include "contact/mortar/facet_parts.h"
 #include "contact/surfaces/body_overlap.h"
-#include "contact/surfaces/face_clipping.h"
 #include "contact/surfaces/symmetry_planes.h"
 
 namespace Contact
@@ -100,9 +100,6 @@ namespace Contact
   private:
     /// A slave facet and its parts in the plane that masters are projected on.
     struct SlaveFacet;
-
-    /// A part of a facet in that plane.
-    struct ProjectedPart;
 
     double distance_to_master(const unsigned int   slave_node,
                               const NormalCone<3> &directions);

@@ -31,41 +31,6 @@ namespace Contact
 
 
 
-    /// Scalar products of the normal and the tangential row of a point over the
-    /// unknowns that no support fixes.
-    struct FreeRows
-    {
-      FreeRows(const ContactPoint<2>   &point,
-               const Discretization<2> &discretization)
-      {
-        for (unsigned int a = 0; a < point.n_nodes; ++a)
-          {
-            const Tensor<1, 2> n =
-              discretization.free_part(point.dofs(a), point.normal);
-            const Tensor<1, 2> t =
-              discretization.free_part(point.dofs(a), point.tangents[0]);
-            for (unsigned int i = 0; i < 2; ++i)
-              {
-                nn += std::pow(point.C[a] * n[i], 2);
-                tt += std::pow(point.C[a] * t[i], 2);
-                nt += point.C[a] * point.C[a] * n[i] * t[i];
-              }
-          }
-      }
-
-      /// Below this sine of the angle between the rows their two multipliers
-      /// would be told apart by the round-off of the pairing alone.
-      bool are_parallel() const
-      {
-        const double sine = 1e-3;
-        return tt * nn - nt * nt <= sine * sine * nn * nn;
-      }
-
-      double nn = 0, nt = 0, tt = 0;
-    };
-
-
-
     /// On an axis at degree 2 the integral vanishes. The node has a gap all the
     /// same, and may take a force: as if on the half of the edge next to it the
     /// pressure were linear.
@@ -108,46 +73,6 @@ namespace Contact
                        const unsigned int a)
   {
     return slave.shares_of_nodes(e)[a];
-  }
-
-
-
-  std::vector<Tensor<1, 1>> free_slips(const ContactPoint<2>   &point,
-                                       const Discretization<2> &discretization)
-  {
-    if (FreeRows(point, discretization).are_parallel())
-      return {};
-    return {Tensor<1, 1>({1.})};
-  }
-
-
-
-  Tensor<1, 1> prescribed_slip(const ContactPoint<2>   &point,
-                               const Discretization<2> &discretization,
-                               const GhostedVector     &motion)
-  {
-    const FreeRows rows(point, discretization);
-    if (!rows.are_parallel())
-      return {};
-    const Tensor<1, 2> along =
-      point.tangents[0] - (rows.nn > 0 ? rows.nt / rows.nn : 0.) * point.normal;
-    double slip = point.tangents[0] * point.interference_at_start -
-                  along * point.projection_motion,
-           size = std::abs(slip);
-    for (unsigned int a = 0; a < point.n_nodes; ++a)
-      {
-        const Tensor<1, 2> held =
-          along - discretization.free_part(point.dofs(a), along);
-        for (unsigned int i = 0; i < 2; ++i)
-          {
-            const double share =
-              point.C[a] * held[i] * motion[point.dofs(a)[i]];
-            slip += share;
-            size += std::abs(share);
-          }
-      }
-    const double round_off = 1e-10;
-    return Tensor<1, 1>({std::abs(slip) > round_off * size ? slip : 0.});
   }
 
 
@@ -222,13 +147,6 @@ namespace Contact
             }
         }
     return points;
-  }
-
-
-
-  void set_tangents(ContactPoint<2> &point)
-  {
-    point.tangents[0] = Tensor<1, 2>({-point.normal[1], point.normal[0]});
   }
 
 

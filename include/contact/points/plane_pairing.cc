@@ -3,7 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// The pairing of a contact point with the edges of the master.
+// The pairing of a contact point with the edges of the master, and what is free
+// at it in 2-D.
 
 #include "contact/points/contact_points.h"
 
@@ -11,6 +12,41 @@ namespace Contact
 {
   namespace
   {
+    /// Scalar products of the normal and the tangential row of a point over the
+    /// unknowns that no support fixes.
+    struct FreeRows
+    {
+      FreeRows(const ContactPoint<2>   &point,
+               const Discretization<2> &discretization)
+      {
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          {
+            const Tensor<1, 2> n =
+              discretization.free_part(point.dofs(a), point.normal);
+            const Tensor<1, 2> t =
+              discretization.free_part(point.dofs(a), point.tangents[0]);
+            for (unsigned int i = 0; i < 2; ++i)
+              {
+                nn += std::pow(point.C[a] * n[i], 2);
+                tt += std::pow(point.C[a] * t[i], 2);
+                nt += point.C[a] * point.C[a] * n[i] * t[i];
+              }
+          }
+      }
+
+      /// Below this sine of the angle between the rows their two multipliers
+      /// would be told apart by the round-off of the pairing alone.
+      bool are_parallel() const
+      {
+        const double sine = 1e-3;
+        return tt * nn - nt * nt <= sine * sine * nn * nn;
+      }
+
+      double nn = 0, nt = 0, tt = 0;
+    };
+
+
+
     /// The master side of a point at its projection on an edge. Returns the
     /// tangent.
     Tensor<1, 2> add_master(ContactPoint<2>          &point,
@@ -72,6 +108,53 @@ namespace Contact
       return along;
     }
   } // namespace
+
+
+
+  std::vector<Tensor<1, 1>> free_slips(const ContactPoint<2>   &point,
+                                       const Discretization<2> &discretization)
+  {
+    if (FreeRows(point, discretization).are_parallel())
+      return {};
+    return {Tensor<1, 1>({1.})};
+  }
+
+
+
+  Tensor<1, 1> prescribed_slip(const ContactPoint<2>   &point,
+                               const Discretization<2> &discretization,
+                               const GhostedVector     &motion)
+  {
+    const FreeRows rows(point, discretization);
+    if (!rows.are_parallel())
+      return {};
+    const Tensor<1, 2> along =
+      point.tangents[0] - (rows.nn > 0 ? rows.nt / rows.nn : 0.) * point.normal;
+    double slip = point.tangents[0] * point.interference_at_start -
+                  along * point.projection_motion,
+           size = std::abs(slip);
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      {
+        const Tensor<1, 2> held =
+          along - discretization.free_part(point.dofs(a), along);
+        for (unsigned int i = 0; i < 2; ++i)
+          {
+            const double share =
+              point.C[a] * held[i] * motion[point.dofs(a)[i]];
+            slip += share;
+            size += std::abs(share);
+          }
+      }
+    const double round_off = 1e-10;
+    return Tensor<1, 1>({std::abs(slip) > round_off * size ? slip : 0.});
+  }
+
+
+
+  void set_tangents(ContactPoint<2> &point)
+  {
+    point.tangents[0] = Tensor<1, 2>({-point.normal[1], point.normal[0]});
+  }
 
 
 
