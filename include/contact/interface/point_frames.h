@@ -107,10 +107,6 @@ namespace Contact
                             const ContactPoint<dim> &b) const;
     void join_to_first(const std::vector<unsigned int> &joined,
                        std::vector<ContactPoint<dim>>  &points) const;
-    void join_rows(const std::vector<unsigned int> &joined,
-                   std::vector<ContactPoint<dim>>  &points) const;
-    void join_changes(const std::vector<unsigned int> &joined,
-                      std::vector<ContactPoint<dim>>  &points) const;
 
     const Pairs                                      *pairs = nullptr;
     std::vector<std::vector<unsigned int>>            at_nodes;
