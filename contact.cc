@@ -96,6 +96,7 @@
 #include "base/all_ranks.h"
 #include "base/errors.h"
 #include "base/interruption.h"
+#include "contact/interface/pair_checks.h"
 #include "contact/results/contact_crossing.h"
 #include "output/accuracy.h"
 #include "output/application.h"
@@ -304,8 +305,8 @@ namespace Contact
     setup_level();
     if (model.interface)
       {
-        model.interface->check_pairs(parameters.pairs());
-        model.interface->initialize_status(state.solution);
+        check_pairs(model.interface->pairs, parameters.pairs());
+        model.interface->active_set.initialize(state.solution);
       }
     check_supports(*model.discretization, model.interface.get());
     postprocessor.check_probes();
@@ -332,7 +333,7 @@ namespace Contact
             std::make_unique<ContactInterface<dim>>(*model.discretization,
                                                     *model.elasticity,
                                                     pairs);
-          model.interface->bounds_follow =
+          model.interface->bounds.follow =
             parameters.solution.friction == Parameters::FrictionLoop::newton;
         }
       state.reinit(model);
@@ -380,7 +381,7 @@ namespace Contact
     if (levels.present() > 0 && model.has_friction())
       {
         pairing.pair(state.solution);
-        model.interface->initialize_status(state.solution);
+        model.interface->active_set.initialize(state.solution);
       }
     if (parameters.restart && levels.may_be_last())
       checkpoint.read(steps);
@@ -467,7 +468,7 @@ namespace Contact
     if (model.has_friction())
       model.interface->begin_increment(step.from, state.solution);
     if (model.interface &&
-        model.interface->move_obstacles(step.from, step.to, state.solution))
+        model.interface->motions.move(step.from, step.to, state.solution))
       pairing.pair(state.solution);
     if (model.interface && step.increment == 1)
       model.interface->ramp_initial_penetration(
@@ -492,7 +493,7 @@ namespace Contact
     if (model.interface) // supports alone do not change
       {
         stabilization.stabilize_free_pieces(model.interface.get());
-        model.interface->begin_to_touch(state.solution);
+        model.interface->active_set.activate_free_obstacles(state.solution);
       }
     stabilization.begin_increment();
     newton.begin_increment(/*starts_elsewhere=*/has_coarser_start(step));
@@ -502,7 +503,7 @@ namespace Contact
       check_stability();
     if (model.interface)
       {
-        model.interface->place_obstacles(state.solution, /*keeps_place=*/true);
+        model.interface->motions.place(state.solution, /*keeps_place=*/true);
         check_turns();
         check_obstacles(model.interface->pairs, state.start, state.solution);
       }
@@ -530,7 +531,7 @@ namespace Contact
   {
     const unsigned int degrees = dim == 2 ? 90 : 20;
     if (model.interface &&
-        model.interface->largest_turn() > numbers::PI / 180 * degrees)
+        model.interface->motions.largest_turn() > numbers::PI / 180 * degrees)
       throw NotConverged("an obstacle turns by more than " +
                          std::to_string(degrees) +
                          " degrees within the increment");
@@ -583,7 +584,7 @@ namespace Contact
     system->clear_pattern();
     model.elasticity->set_thermal_strain(step.from, step.from);
     if (model.interface)
-      model.interface->move_obstacles(step.from, step.from, state.solution);
+      model.interface->motions.move(step.from, step.from, state.solution);
     pairing.pair(state.solution);
 
     if (pairing.use_consistent_tangent())
@@ -617,7 +618,7 @@ namespace Contact
   void ContactProblem<dim>::make_first_contact(LoadSteps &steps)
   {
     if (!steps.next().starts_increment || !model.has_friction() ||
-        model.interface->count().active > 0 ||
+        model.interface->active_set.count().active > 0 ||
         rigid_body_modes<dim>(*model.discretization, nullptr).empty())
       return;
     bool is_cut = false;
@@ -653,7 +654,7 @@ namespace Contact
         if (model.interface)
           {
             pairing.pair(state.solution);
-            model.interface->activate_nearest(state.solution);
+            model.interface->active_set.activate_nearest(state.solution);
           }
         solve_with_geometry_loop();
 
@@ -707,7 +708,7 @@ namespace Contact
       if (n == 1)
         pairing.pair(state.solution);
       else if (!system->has_multipliers())
-        model.interface->release_parted(state.solution);
+        model.interface->active_set.release_parted(state.solution);
       solve_with_friction_loop();
 
       // The way of the bodies since they were paired.
@@ -750,7 +751,7 @@ namespace Contact
         !model.interface->has_coulomb_friction())
       {
         if (has_friction && levels.present() == 0)
-          model.interface->update_bounds(state.solution, state.start);
+          model.interface->bounds.update(state.solution, state.start);
         solve_newton();
         return;
       }
@@ -760,26 +761,27 @@ namespace Contact
                                &interface,
                                Tangents::free)
            .empty())
-      interface.raise_unknown_bounds();
+      interface.bounds.raise_unknown();
 
     Vector<double> last_bounds;
     const auto     turn = [&](const unsigned int n) {
       ++report.increment().friction_iterations;
       solve_newton();
-      last_bounds = interface.bounds();
+      last_bounds = interface.bounds.values();
       const double change =
-        interface.update_bounds(state.solution, state.start);
+        interface.bounds.update(state.solution, state.start);
       report.screen << "    friction, turn " << n << ": change of the bound "
                     << change << std::endl;
       return std::make_pair(change,
                             change <= parameters.solution.friction_tolerance);
     };
     const auto renew = [&](Relaxation &relaxation) {
-      const double part = relaxation.length(GhostedVector(interface.bounds()));
+      const double part =
+        relaxation.length(GhostedVector(interface.bounds.values()));
       if (part < 1)
         {
-          last_bounds.sadd(1 - part, part, interface.bounds());
-          interface.set_bounds(last_bounds);
+          last_bounds.sadd(1 - part, part, interface.bounds.values());
+          interface.bounds.set(last_bounds);
         }
     };
     fixed_point("friction loop ends with a change of the bound",

@@ -112,7 +112,7 @@ namespace
     model.start = model.solution;
     model.discretization.constrain_update(model.solution, 1);
     model.pair();
-    model.interface->initialize_status(model.solution);
+    model.interface->active_set.initialize(model.solution);
     const std::string name =
       "degree " + std::to_string(degree) + ", slave " + slave;
     check(name + ", converged", model.newton(1) > 0);
@@ -184,7 +184,7 @@ namespace
     CondensedModel model(parameters);
     model.start = model.solution;
     model.pair();
-    model.interface->initialize_status(model.solution);
+    model.interface->active_set.initialize(model.solution);
     const auto overlap = [](const double q) {
       return lame(1000, 0.3, 20, 50, 100, q, 50) -
              lame(2000, 0.25, 50, 100, q, 0, 50);

@@ -20,7 +20,7 @@ namespace
 {
   std::string counts(const ContactInterface<2> &interface)
   {
-    const StatusCount count = interface.count();
+    const StatusCount count = interface.active_set.count();
     return std::to_string(interface.points().size() - count.active) +
            " open, " + std::to_string(count.stick) + " stick, " +
            std::to_string(count.active - count.stick) + " slip";
@@ -42,8 +42,8 @@ namespace
       }
     std::cout << "  " << name << ": " << counts(saddle.interface) << std::endl;
     check("both converge to the same decisions",
-          converged &&
-            saddle.interface.signature() == condensed.interface->signature());
+          converged && saddle.interface.active_set.signature() ==
+                         condensed.interface->active_set.signature());
 
     const auto  &one = saddle.solution, &other = condensed.solution;
     const auto   n   = saddle.n_dofs();

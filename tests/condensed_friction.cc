@@ -64,7 +64,7 @@ namespace
                          /*bounds_follow=*/true);
     check("both converge at half of the load",
           linear.solve(0.5) && model.solve(0.5));
-    const StatusCount count = model.interface->count();
+    const StatusCount count = model.interface->active_set.count();
     check("most points slip", count.active > 2 * count.stick);
 
     check_small("residual of linear bodies after one step",
@@ -92,8 +92,8 @@ namespace
         converged = converged && condensed.solve(load_factor);
       }
     check("both converge to the same decisions",
-          converged &&
-            saddle.interface.signature() == condensed.interface->signature());
+          converged && saddle.interface.active_set.signature() ==
+                         condensed.interface->active_set.signature());
     const auto n = saddle.n_dofs();
     check_small("displacements",
                 difference(condensed.solution, saddle.solution, 0, n),

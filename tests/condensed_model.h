@@ -34,7 +34,7 @@ namespace Tests
       , rhs(solution)
       , update(n_dofs())
     {
-      interface->bounds_follow = bounds_follow;
+      interface->bounds.follow = bounds_follow;
       make_system(solver_name);
     }
 
@@ -88,7 +88,7 @@ namespace Tests
           elimination->recover_multipliers(rhs, start, solution);
         }
       const unsigned int n_changes =
-        interface->update_statuses(solution, start, after_a_step);
+        interface->active_set.update(solution, start, after_a_step);
       ContactKernel<dim>(*interface)
         .assemble(solution, start, {false}, rhs, nullptr);
       return n_changes;
@@ -121,15 +121,15 @@ namespace Tests
       start = solution;
       discretization.constrain_update(solution, load_factor);
       pair();
-      interface->initialize_status(solution);
-      interface->update_bounds(solution, start);
+      interface->active_set.initialize(solution);
+      interface->bounds.update(solution, start);
       for (unsigned int turn = 0; turn < 60; ++turn)
         {
           if (newton(load_factor) == 0)
             return false;
-          if (interface->bounds_follow)
+          if (interface->bounds.follow)
             return true;
-          if (interface->update_bounds(solution, start) < 1e-12)
+          if (interface->bounds.update(solution, start) < 1e-12)
             return true;
         }
       return false;
@@ -167,9 +167,9 @@ namespace Tests
                                                    model.solution);
           }
         if (statuses_follow)
-          model.interface->update_statuses(model.solution,
-                                           model.start,
-                                           /*keep=*/step > 0);
+          model.interface->active_set.update(model.solution,
+                                             model.start,
+                                             /*keep=*/step > 0);
         ContactKernel<dim>(*model.interface)
           .assemble(model.solution, model.start, {false}, model.rhs, nullptr);
         const double scale =

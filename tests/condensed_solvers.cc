@@ -121,7 +121,7 @@ namespace
             else
               statuses[q] = {Status::slip, round == 0 ? 1 : -1};
           }
-        model.interface->set_statuses(statuses);
+        model.interface->active_set.set_statuses(statuses);
         model.assemble(1, false);
         model.condensed->solve(model.solution,
                                model.start,
@@ -181,8 +181,8 @@ namespace
     headline("tied, " + rule + " rule, degree " + std::to_string(degree) +
              (shear ? ", stretched and sheared" : ", stretched"));
     check("converges, all points stick",
-          model.solve(1) &&
-            model.interface->count().stick == model.interface->points().size());
+          model.solve(1) && model.interface->active_set.count().stick ==
+                              model.interface->points().size());
 
     double relative = 0;
     for (const ContactPoint<2> &point : model.interface->points())

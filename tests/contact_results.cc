@@ -85,7 +85,7 @@ namespace
     // Under the bounds that set() has made.
     ContactResults results()
     {
-      const BoundsWhile<2> frozen(interface, /*follow=*/false);
+      const BoundsWhile<2> frozen(interface.bounds, /*follow=*/false);
       return contact_results(interface, *interface.pairs[0], solution, start);
     }
   };

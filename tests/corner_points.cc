@@ -134,7 +134,7 @@ namespace
     const auto corners = facing_corners(model.interface);
     check("the corner is in contact, and nothing else",
           corners.size() == 1 && corners[0]->status.kind != Status::open &&
-            model.interface.count().active == 1);
+            model.interface.active_set.count().active == 1);
     check_small("displacements of both ways",
                 difference(model.solution, exchanged.solution, model.n_dofs()),
                 2e-6);

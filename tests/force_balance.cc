@@ -173,7 +173,7 @@ namespace
     model.start = model.solution;
     model.discretization.constrain_update(model.solution, load_factor);
     model.pair();
-    model.interface.initialize_status(model.solution);
+    model.interface.active_set.initialize(model.solution);
     GhostedVector rhs(model.solution.size());
     for (unsigned int iteration = 0; iteration < 100; ++iteration)
       {
@@ -218,7 +218,7 @@ namespace
           largest_gap,
           std::abs(
             model.interface.state(point, model.solution, model.start).gap));
-    const StatusCount count = model.interface.count();
+    const StatusCount count = model.interface.active_set.count();
     std::cout << "  active " << count.active << ", stick " << count.stick
               << std::endl;
     std::cout << "  the gap is zero in "

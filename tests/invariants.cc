@@ -32,7 +32,7 @@ namespace
         const Invariants found = model.check();
         for (const std::string &violation : found.violations)
           alarms += "\n    " + std::to_string(k) + ": " + violation;
-        const StatusCount count = model.interface.count();
+        const StatusCount count = model.interface.active_set.count();
         stick += count.stick;
         slip += count.active - count.stick;
         for (double Invariants::*number :

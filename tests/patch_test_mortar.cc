@@ -232,7 +232,8 @@ namespace
       }
     check_small("traction", error, 1e-10);
     check("all points but the one at the end stick",
-          n_void == 1 && model.interface.count().stick + 1 == points.size());
+          n_void == 1 &&
+            model.interface.active_set.count().stick + 1 == points.size());
   }
 
 

@@ -115,7 +115,7 @@ namespace
       }
     for (unsigned int i = model.n_dofs(); i < model.solution.size(); ++i)
       model.solution[i] = random(0.5, 1.5);
-    model.interface->move_obstacles(0.4, 1);
+    model.interface->motions.move(0.4, 1);
     model.pair();
     auto points = model.interface->points();
     for (ContactPoint<3> &point : points)
@@ -139,7 +139,7 @@ namespace
     GhostedVector              unused(n);
     const ContactKernel<3>     kernel(*model.interface);
     const ContactLinearization linearization{false};
-    const BoundsWhile<3>       bounds(*model.interface, bounds_follow);
+    const BoundsWhile<3>       bounds(model.interface->bounds, bounds_follow);
     kernel.assemble(model.solution,
                     model.start,
                     linearization,
@@ -273,7 +273,7 @@ namespace
       }
     model.interface->set_points(points);
 
-    const BoundsWhile<3> frozen(*model.interface, /*follow=*/false);
+    const BoundsWhile<3> frozen(model.interface->bounds, /*follow=*/false);
     Random               random;
     GhostedVector        du(model.n_dofs()), by_terms(du);
     for (double &value : du)
@@ -404,7 +404,7 @@ namespace
     headline("the matrix as a derivative, " + named(c));
     CondensedModelIn<3> model(turned_block(c), "CHOLMOD", true);
     check("converges", model.solve(0.7));
-    const StatusCount count = model.interface->count();
+    const StatusCount count = model.interface->active_set.count();
     check("points slip", count.active > count.stick);
     check_small("deviation from the differences",
                 matrix_error(model, 0.7),

@@ -193,7 +193,7 @@ namespace
       for (const bool bounds_follow : {false, true})
         if (slips || !bounds_follow)
           {
-            const BoundsWhile<2> bounds(model.interface, bounds_follow);
+            const BoundsWhile<2> bounds(model.interface.bounds, bounds_follow);
             const Result         result = compare(model, {moving_geometry});
             check_small(name + (moving_geometry ? ", moving geometry" : "") +
                           (bounds_follow ? ", moving bound" : ""),
@@ -390,7 +390,7 @@ namespace
         parameters.contact.obstacle_centre = {1, -0.5};
       }
     TwoBodies model(parameters);
-    check("moves", model.interface.move_obstacles(0.4, 1) == moves);
+    check("moves", model.interface.motions.move(0.4, 1) == moves);
     randomize(model, -0.08);
 
     check_decision(model, "open", {Status::open, 0});

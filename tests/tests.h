@@ -368,9 +368,9 @@ namespace Tests
     /// Update all statuses. Returns whether one has changed.
     bool updated_status()
     {
-      return interface.update_statuses(solution,
-                                       start,
-                                       /*keep=*/true) > 0;
+      return interface.active_set.update(solution,
+                                         start,
+                                         /*keep=*/true) > 0;
     }
 
     /**
@@ -388,7 +388,7 @@ namespace Tests
       start = solution;
       discretization.constrain_update(solution, load_factor);
       pair();
-      interface.initialize_status(solution);
+      interface.active_set.initialize(solution);
 
       GhostedVector rhs(solution.size());
       for (unsigned int iteration = 0; iteration < 100; ++iteration)
@@ -439,7 +439,7 @@ namespace Tests
       for (const ContactPoint<2> &point : interface.points())
         {
           const ContactState<2> now = interface.state(point, solution, start);
-          const Traction<2>     t   = interface.traction(point, now);
+          const Traction<2>     t   = interface.active_set.traction(point, now);
           for (unsigned int a = 0; a < point.n_nodes; ++a)
             for (unsigned int i = 0; i < 2; ++i)
               forces[point.dofs(a)[i]] +=

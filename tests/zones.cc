@@ -94,9 +94,10 @@ namespace
     unsigned int               n_points = 0, n_tangential = 0;
     for (const auto &contact_pair : interface.pairs)
       {
-        n_points += interface.points_of(*contact_pair).size();
+        n_points += contact_pair->points_among(interface.points()).size();
         if (!contact_pair->law.is_frictionless())
-          n_tangential += interface.corners_of_master(*contact_pair).size();
+          n_tangential +=
+            contact_pair->corners_of_master(interface.points()).size();
         for (const unsigned int k : contact_pair->multipliers.of_node)
           {
             normal =
@@ -119,7 +120,8 @@ namespace
               interface.n_normal_multipliers() + n_tangential &&
             n_points == interface.points().size());
     check("all points are in contact",
-          interface.count().active == points_that_act(interface).size());
+          interface.active_set.count().active ==
+            points_that_act(interface).size());
   }
 } // namespace
 

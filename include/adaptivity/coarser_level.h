@@ -29,7 +29,7 @@ namespace Contact
       if (!model.interface)
         return;
       surfaces.push_back(save_surfaces(*model.interface, solution));
-      motions.push_back(model.interface->motions(solution));
+      motions.push_back(model.interface->motions.values(solution));
     }
 
     /// The displacements of the increment, and motions of obstacles that do not
@@ -41,10 +41,9 @@ namespace Contact
       const GhostedVector &u = solutions[increment - 1];
       std::copy(u.begin(), u.end(), solution.begin());
       if (model.interface)
-        for (unsigned int k = 0; k < model.interface->free_motions().size();
-             ++k)
-          if (!model.interface->free_motions()[k]->stays)
-            solution[model.interface->motion_index(k)] =
+        for (unsigned int k = 0; k < model.interface->motions.free.size(); ++k)
+          if (!model.interface->motions.free[k]->stays)
+            solution[model.interface->motions.index(k)] =
               motions[increment - 1][k];
     }
 

@@ -144,8 +144,8 @@ namespace Contact
                                         const ContactPair<3>      &contact_pair)
   {
     std::vector<Tensor<1, 3>> of_multiplier(interface.n_normal_multipliers());
-    const auto                points = interface.points_of_slave(contact_pair);
-    const auto                acting = interface.acting_points(contact_pair);
+    const auto points = contact_pair.points_of_slave(interface.points());
+    const auto acting = interface.acting_points(contact_pair);
     for (unsigned int q = 0; q < points.size(); ++q)
       {
         const ContactPoint<3> &point = acting[q];

@@ -249,9 +249,9 @@ namespace Contact
                           mode);
     if (linearization.moving_geometry)
       {
-        model.interface->update_statuses(state.solution,
-                                         state.start,
-                                         /*keep=*/true);
+        model.interface->active_set.update(state.solution,
+                                           state.start,
+                                           /*keep=*/true);
         forget_excess();
         residuals.emplace_back("pairing", negative_residual());
       }
@@ -289,7 +289,7 @@ namespace Contact
     if (model.interface)
       {
         points = model.interface->points();
-        bounds.emplace(*model.interface, /*follow=*/true);
+        bounds.emplace(model.interface->bounds, /*follow=*/true);
       }
     const Residuals   residuals = pair_anew();
     SaddlePointSystem system(*model.discretization,
@@ -356,7 +356,7 @@ namespace Contact
                                       : 0.;
         const ContactState<2> now =
           interface.state(point, refined->state.solution, refined->state.start);
-        const Traction<2> traction = interface.traction(point, now);
+        const Traction<2> traction = interface.active_set.traction(point, now);
         std::vector<std::pair<Tensor<1, 2>, double>> conditions;
         if (traction.dq_dq > 0)
           conditions = {{point.normal, -J_n}, {point.tangents[0], -J_t}};

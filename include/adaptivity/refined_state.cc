@@ -79,13 +79,13 @@ namespace Contact
     if (linearization.moving_geometry)
       model.interface->pair_and_begin_increment(state.start_factor,
                                                 state.start);
-    model.interface->move_obstacles(state.start_factor, state.load_factor);
+    model.interface->motions.move(state.start_factor, state.load_factor);
     PairingMode mode;
     mode.with_derivatives = linearization.moving_geometry;
     model.interface->pair(linearization.moving_geometry ? state.solution
                                                         : model.zero(),
                           mode);
-    model.interface->set_support_motion(
+    model.interface->active_set.set_support_motion(
       model.discretization->support_motion(state.start, state.load_factor));
     for (unsigned int k = 0; k < duals.size(); ++k)
       restore_surfaces(duals_on_surfaces[k], *model.interface, duals[k]);
@@ -118,10 +118,10 @@ namespace Contact
           interface.contact_pair(point).stiffness(point) * now.gap;
         const bool is_open = point.status.kind == Status::open;
         if (is_open != (p_trial <= 0))
-          point.status = interface.updated_status(point,
-                                                  PointStatus<2>(),
-                                                  p_trial,
-                                                  now.lambda_t);
+          point.status = interface.active_set.updated_status(point,
+                                                             PointStatus<2>(),
+                                                             p_trial,
+                                                             now.lambda_t);
         if (point.status.kind == Status::open)
           set_multipliers(point, 0., state.solution);
       }

@@ -314,14 +314,14 @@ namespace Contact
     for (unsigned int k = 0; k < interface.pairs.size(); ++k)
       {
         const auto &contact_pair = *interface.pairs[k];
-        const auto  points       = interface.points_of(contact_pair);
+        const auto  points = contact_pair.points_among(interface.points());
         if (std::any_of(points.begin(), points.end(), [](const auto &point) {
               return point.status.kind != Status::open;
             }))
           continue;
         std::vector<Point<dim>> on_slave, on_master;
         for (const ContactPoint<dim> &point :
-             interface.points_of_slave(contact_pair))
+             contact_pair.points_of_slave(interface.points()))
           if (point.facing && interface.state(point, solution, solution).gap <
                                 contact_pair.edge_length(point))
             {

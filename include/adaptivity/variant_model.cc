@@ -94,9 +94,9 @@ namespace Contact
           take_surfaces(*scene.interface, from.solution);
         else
           transfer_surfaces(*scene.interface, from.solution);
-        model.interface->update_statuses(state.solution,
-                                         state.start,
-                                         /*keep=*/true);
+        model.interface->active_set.update(state.solution,
+                                           state.start,
+                                           /*keep=*/true);
       }
     check_supports();
   }
@@ -109,9 +109,9 @@ namespace Contact
     if (linearization.moving_geometry)
       model.interface->pair_and_begin_increment(state.start_factor,
                                                 state.start);
-    model.interface->move_obstacles(state.start_factor, state.load_factor);
+    model.interface->motions.move(state.start_factor, state.load_factor);
     pair();
-    model.interface->set_support_motion(
+    model.interface->active_set.set_support_motion(
       model.discretization->support_motion(state.start, state.load_factor));
   }
 
@@ -213,7 +213,7 @@ namespace Contact
                        *model.interface,
                        state.solution);
     else
-      model.interface->initialize_status(state.solution);
+      model.interface->active_set.initialize(state.solution);
   }
 
 
@@ -295,8 +295,8 @@ namespace Contact
 
   void VariantModel::update_statuses()
   {
-    n_status_changes += model.interface->update_statuses(state.solution,
-                                                         state.start,
-                                                         /*keep=*/true);
+    n_status_changes += model.interface->active_set.update(state.solution,
+                                                           state.start,
+                                                           /*keep=*/true);
   }
 } // namespace Contact

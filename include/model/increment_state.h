@@ -39,7 +39,7 @@ namespace Contact
       load_factor  = to;
       start        = solution;
       if (model.has_friction())
-        model.interface->set_support_motion(
+        model.interface->active_set.set_support_motion(
           model.discretization->support_motion(start, to));
       if (model.interface)
         {

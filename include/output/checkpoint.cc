@@ -25,11 +25,11 @@ namespace Contact
                            GhostedVector         &solution)
     {
       const auto              &points    = interface.points();
-      std::vector<signed char> codes     = interface.signature();
-      Vector<double>           of_points = interface.bounds();
+      std::vector<signed char> codes     = interface.active_set.signature();
+      Vector<double>           of_points = interface.bounds.values();
       std::vector<Point<dim>>  places, facets;
-      for (unsigned int k = 0; k < interface.free_motions().size(); ++k)
-        archive &solution[interface.motion_index(k)];
+      for (unsigned int k = 0; k < interface.motions.free.size(); ++k)
+        archive &solution[interface.motions.index(k)];
       for (const ContactPoint<dim> &point : points)
         {
           const auto &contact_pair = interface.contact_pair(point);
@@ -80,8 +80,8 @@ namespace Contact
       std::vector<PointStatus<dim>> all;
       for (const auto code : codes)
         all.push_back(PointStatus<dim>::from_code(code));
-      interface.set_statuses(all);
-      interface.set_bounds(of_points);
+      interface.active_set.set_statuses(all);
+      interface.bounds.set(of_points);
     }
   } // namespace
 
@@ -194,7 +194,7 @@ namespace Contact
       {
         const double reached = report.increment().load_factor;
         if (model.interface)
-          model.interface->move_obstacles(reached, reached, state.solution);
+          model.interface->motions.move(reached, reached, state.solution);
         pairing.pair(state.solution);
       }
     if (model.interface)

@@ -123,7 +123,7 @@ namespace Contact
     IncrementRecord      &record = report.increment();
     if (model.interface)
       {
-        const StatusCount count = model.interface->count();
+        const StatusCount count = model.interface->active_set.count();
         record.active           = count.active;
         record.stick            = count.stick;
         record.slip             = count.active - count.stick;

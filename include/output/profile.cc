@@ -35,7 +35,7 @@ namespace Contact
                         const GhostedVector         &solution)
     {
       const ContactState<dim> now = interface.state(point, solution, solution);
-      return point.weight * interface.traction(point, now).p;
+      return point.weight * interface.active_set.traction(point, now).p;
     }
 
 
@@ -168,7 +168,7 @@ namespace Contact
             }
         }
 
-      const auto points = interface.points_of_slave(contact_pair);
+      const auto points = contact_pair.points_of_slave(interface.points());
       const auto acting = interface.acting_points(contact_pair);
       for (unsigned int q = 0; q < points.size(); ++q)
         {
@@ -196,7 +196,7 @@ namespace Contact
         }
       fill_in_hanging(contact_pair.slave, rows);
       add_nodal_forces(interface,
-                       interface.corners_of_master(contact_pair),
+                       contact_pair.corners_of_master(interface.points()),
                        contact_pair,
                        true,
                        solution,
@@ -313,7 +313,7 @@ namespace Contact
                      solution,
                      rows);
     add_nodal_forces(interface,
-                     interface.corners_of_master(contact_pair),
+                     contact_pair.corners_of_master(interface.points()),
                      contact_pair,
                      false,
                      solution,

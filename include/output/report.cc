@@ -177,7 +177,7 @@ namespace Contact
            << std::defaultfloat << std::setprecision(6);
     if (model.interface)
       {
-        const StatusCount count = model.interface->count();
+        const StatusCount count = model.interface->active_set.count();
         screen << "  active " << count.active << "  stick " << count.stick
                << "  changes " << n_changes;
       }

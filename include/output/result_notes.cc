@@ -71,7 +71,7 @@ namespace Contact
           std::vector<bool>       master(
             contact_pair.master ? contact_pair.master->facets.size() : 0);
           for (const ContactPoint<dim> &point :
-               interface.points_of_slave(contact_pair))
+               contact_pair.points_of_slave(interface.points()))
             if (point.status.kind != Status::open)
               {
                 slave[point.slave_facet] = true;
@@ -127,7 +127,7 @@ namespace Contact
           const ContactPoint<dim> *deepest      = nullptr;
           if (!contact_pair.master)
             for (const ContactPoint<dim> &point :
-                 interface.points_of(contact_pair))
+                 contact_pair.points_among(interface.points()))
               if (const double gap =
                     interface.state(point, solution, solution).gap;
                   !is_free_along(point,
@@ -179,8 +179,9 @@ namespace Contact
                                    std::vector<std::string> &notes)
     {
       ContactInterface<dim>              &interface = *model.interface;
-      const std::vector<PointStatus<dim>> statuses  = interface.statuses();
-      std::vector<PointStatus<dim>>       pressed   = statuses;
+      const std::vector<PointStatus<dim>> statuses =
+        interface.active_set.statuses();
+      std::vector<PointStatus<dim>> pressed = statuses;
       for (unsigned int k = 0; k < pressed.size(); ++k)
         {
           const ContactPoint<dim> &point = interface.points()[k];
@@ -190,12 +191,12 @@ namespace Contact
               std::abs(force) <= round_off_force)
             pressed[k] = PointStatus<dim>();
         }
-      interface.set_statuses(pressed);
+      interface.active_set.set_statuses(pressed);
       const auto free = rigid_body_modes<dim>(*model.discretization,
                                               &interface,
                                               Tangents::by_status,
                                               rotations(model, solution));
-      interface.set_statuses(statuses);
+      interface.active_set.set_statuses(statuses);
       for (const RigidBodyMode &motion : free)
         notes.push_back("nothing holds " +
                         model.mesh->piece_name(motion.piece) +

@@ -158,9 +158,10 @@ namespace Contact
       const auto entries = parameters.pairs();
       for (unsigned int z = 0; z < entries.size(); ++z)
         {
-          const auto          points = interface.points_of(*interface.pairs[z]);
-          const Surface<dim> &slave  = interface.pairs[z]->slave;
-          const auto          faces  = [&](const ContactPoint<dim> &point) {
+          const auto points =
+            interface.pairs[z]->points_among(interface.points());
+          const Surface<dim> &slave = interface.pairs[z]->slave;
+          const auto          faces = [&](const ContactPoint<dim> &point) {
             return point.facing &&
                    (entries[z].obstacle.empty() ||
                     outward(slave, point.slave_facet) * point.normal < 0);
@@ -214,7 +215,7 @@ namespace Contact
           double     largest = 0;
           Point<dim> place;
           for (const ContactPoint<dim> &point :
-               interface.points_of(contact_pair))
+               contact_pair.points_among(interface.points()))
             {
               double gap = 0;
               for (unsigned int a = 0; a < point.n_nodes; ++a)

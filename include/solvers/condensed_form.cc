@@ -94,7 +94,7 @@ namespace Contact
     const double relative =
       std::max(0.1 * step.tolerance, one_solve_is_all ? 0. : forcing);
     unsigned int n = solve_for_update(rhs, relative * step.force, step, state);
-    if (model.interface && !model.interface->free_motions().empty())
+    if (model.interface && !model.interface->motions.free.empty())
       n += add_motions(rhs, relative * step.force, step, state);
     screen << "      solved to " << std::scientific << std::setprecision(1)
            << relative << std::defaultfloat << std::setprecision(6) << " in "
@@ -184,9 +184,9 @@ namespace Contact
                    std::plus<>());
     const auto of_bodies = last->linear_forces(trial, load_factor);
     elimination.recover_multipliers(of_bodies, u_start, trial);
-    return model.interface->motion_forces(trial,
-                                          u_start,
-                                          /*of_multipliers=*/true);
+    return model.interface->motions.forces(trial,
+                                           u_start,
+                                           /*of_multipliers=*/true);
   }
 
 
@@ -206,8 +206,8 @@ namespace Contact
       part =
         std::min(part, 0.01 * interface.contact_pair(point).edge_length(point));
     std::vector<unsigned int> motions;
-    for (unsigned int k = 0; k < interface.free_motions().size(); ++k)
-      if (!interface.free_motions()[k]->stays)
+    for (unsigned int k = 0; k < interface.motions.free.size(); ++k)
+      if (!interface.motions.free[k]->stays)
         motions.push_back(k);
 
     const unsigned int m = motions.size();
@@ -215,7 +215,7 @@ namespace Contact
       return 0;
     model.discretization->counters.free_motions += m;
     const auto motion = [&](const unsigned int i) -> const FreeMotion & {
-      return *interface.free_motions()[motions[i]];
+      return *interface.motions.free[motions[i]];
     };
     const GhostedVector first = update;
     const auto          before =
@@ -227,7 +227,7 @@ namespace Contact
     for (unsigned int j = 0; j < m; ++j)
       {
         GhostedVector moved = state.solution;
-        moved[interface.motion_index(motions[j])] += part / motion(j).lever;
+        moved[interface.motions.index(motions[j])] += part / motion(j).lever;
         n += last->solve(state.solution,
                          state.start,
                          rhs,
@@ -242,7 +242,7 @@ namespace Contact
           resistance(i, j) =
             (after[motions[i]] - before[motions[i]]) / (motion(i).lever * part);
         resistance(j, j) +=
-          interface.motion_spring(motion(j)) / std::pow(motion(j).lever, 2);
+          interface.motions.spring(motion(j)) / std::pow(motion(j).lever, 2);
         way[j] = (motion(j).force - before[motions[j]]) / motion(j).lever;
       }
 
@@ -254,8 +254,8 @@ namespace Contact
       {
         const double of_motion = way[j] / motion(j).lever;
         if (missing > step.tolerance * step.force)
-          interface.check_motion(motion(j), of_motion, missing);
-        state.solution[interface.motion_index(motions[j])] += of_motion;
+          interface.motions.check(motion(j), of_motion, missing);
+        state.solution[interface.motions.index(motions[j])] += of_motion;
         update.add(way[j] / part, responses[j]);
       }
     return n;

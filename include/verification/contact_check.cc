@@ -47,7 +47,8 @@ namespace Contact
     for (const ContactPoint<dim> &point : interface.points())
       {
         states.push_back(interface.state(point, solution, u_start));
-        tractions.push_back(interface.traction(point, states.back()));
+        tractions.push_back(
+          interface.active_set.traction(point, states.back()));
         const ContactPair<dim> &contact_pair = interface.contact_pair(point);
         if (!contact_pair.tied && point.status.kind != Status::open)
           largest_bound =

@@ -72,7 +72,7 @@ namespace Contact
         const double t    = static_cast<double>(k) / parameters.n_increments;
         double       load = elasticity.dead_loads.magnitude(t);
         if (interface != nullptr)
-          for (const FreeMotion *motion : interface->free_motions())
+          for (const FreeMotion *motion : interface->motions.free)
             load += std::abs(motion->force_at(Point<1>(t))) / motion->lever;
         largest_load = std::max(largest_load, load);
       }
@@ -145,10 +145,10 @@ namespace Contact
                                                     solution,
                                                     start.displacement));
         start.obstacles.resize(end.obstacles.size());
-        end.motions       = interface->motions(solution);
-        end.motion_forces = interface->motion_forces(solution,
-                                                     start.displacement,
-                                                     /*of_multipliers=*/false);
+        end.motions       = interface->motions.values(solution);
+        end.motion_forces = interface->motions.forces(solution,
+                                                      start.displacement,
+                                                      /*of_multipliers=*/false);
         start.motions.resize(end.motions.size());
         start.motion_forces.resize(end.motions.size());
         contact.check(slack, found);
@@ -236,8 +236,7 @@ namespace Contact
   {
     double square = 0;
     for (unsigned int k = 0; k < end.motion_forces.size(); ++k)
-      if (const FreeMotion &motion = *interface->free_motions()[k];
-          !motion.stays)
+      if (const FreeMotion &motion = *interface->motions.free[k]; !motion.stays)
         square +=
           std::pow((motion.force - end.motion_forces[k]) / motion.lever, 2);
     return std::sqrt(square);

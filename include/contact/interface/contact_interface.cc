@@ -5,24 +5,52 @@
 
 #include "contact/interface/contact_interface.h"
 
-#include <deal.II/base/mpi.h>
-#include <deal.II/lac/full_matrix.h>
-
 #include <algorithm>
 
-#include "base/dimension.h"
-#include "base/errors.h"
-#include "base/string_utilities.h"
 #include "contact/surfaces/surface_checks.h"
 
 namespace Contact
 {
+  namespace
+  {
+    /// Tell contact pairs the surfaces of others on the same bodies.
+    template<int dim>
+    void find_bodies(const std::vector<ContactPair<dim> *> &of_pairs)
+    {
+      const auto part = [](const Surface<dim> &surface) {
+        return surface.facets[0].part;
+      };
+      std::map<unsigned int, std::vector<const Surface<dim> *>> of_part;
+      for (const ContactPair<dim> *const contact_pair : of_pairs)
+        if (contact_pair->master)
+          for (const Surface<dim> *surface :
+               {&contact_pair->slave, &*contact_pair->master})
+            if (auto &there = of_part[part(*surface)];
+                std::none_of(there.begin(),
+                             there.end(),
+                             [&](const auto *other) {
+                               return overlap(*surface, *other);
+                             }))
+              there.push_back(surface);
+      for (ContactPair<dim> *const contact_pair : of_pairs)
+        if (contact_pair->master)
+          contact_pair->surfaces_of_bodies = {
+            {of_part[part(contact_pair->slave)],
+             of_part[part(*contact_pair->master)]}};
+    }
+  } // namespace
+
+
+
   template<int dim>
   ContactInterface<dim>::ContactInterface(
     const Discretization<dim>              &discretization,
     const Elasticity<dim>                  &elasticity,
     const std::vector<Parameters::Contact> &parameters)
     : discretization(discretization)
+    , motions(*this)
+    , bounds(*this, all_points)
+    , active_set(*this, all_points, frames)
   {
     std::vector<ContactPair<dim> *> made;
     for (const Parameters::Contact &of_pair : parameters)
@@ -42,127 +70,13 @@ namespace Contact
           tangential_number.push_back(contact_pair->law.is_frictionless()
                                         ? numbers::invalid_unsigned_int
                                         : n_tangential++);
-        make_free_motions(*contact_pair, of_pair);
+        motions.add(*contact_pair, of_pair);
         made.push_back(contact_pair.get());
         pairs.push_back(std::move(contact_pair));
       }
-    own = Utilities::MPI::create_evenly_distributed_partitioning(
-      discretization.communicator,
-      all_points.size());
     frames = PointFrames<dim>(all_points, pairs);
     frames.find_other_sides(all_points, made);
     find_bodies(made);
-  }
-
-
-
-  template<int dim>
-  void ContactInterface<dim>::find_bodies(
-    const std::vector<ContactPair<dim> *> &of_pairs) const
-  {
-    const auto part = [](const Surface<dim> &surface) {
-      return surface.facets[0].part;
-    };
-    std::map<unsigned int, std::vector<const Surface<dim> *>> of_part;
-    for (const ContactPair<dim> *const contact_pair : of_pairs)
-      if (contact_pair->master)
-        for (const Surface<dim> *surface :
-             {&contact_pair->slave, &*contact_pair->master})
-          if (auto &there = of_part[part(*surface)];
-              std::none_of(there.begin(), there.end(), [&](const auto *other) {
-                return overlap(*surface, *other);
-              }))
-            there.push_back(surface);
-    for (ContactPair<dim> *const contact_pair : of_pairs)
-      if (contact_pair->master)
-        contact_pair->surfaces_of_bodies = {
-          {of_part[part(contact_pair->slave)],
-           of_part[part(*contact_pair->master)]}};
-  }
-
-
-
-  // Two pairs of the same surfaces would share their force as they like, also
-  // with slave and master swapped.
-  template<int dim>
-  void ContactInterface<dim>::check_pairs(
-    const std::vector<Parameters::Contact> &parameters) const
-  {
-    const auto same_master = [&](const unsigned int i, const unsigned int j) {
-      if (!pairs[i]->master || !pairs[j]->master)
-        return !pairs[i]->master && !pairs[j]->master &&
-               parameters[i].obstacle == parameters[j].obstacle;
-      return overlap(*pairs[i]->master, *pairs[j]->master);
-    };
-    for (unsigned int j = 0; j < pairs.size(); ++j)
-      for (unsigned int i = 0; i < j; ++i)
-        {
-          const std::string parts = Dimension<dim>::boundary + std::string("s");
-          const bool both_have_masters = pairs[i]->master && pairs[j]->master;
-          const bool is_same =
-            overlap(pairs[i]->slave, pairs[j]->slave) && same_master(i, j);
-          const bool is_swapped = both_have_masters &&
-                                  overlap(pairs[i]->slave, *pairs[j]->master) &&
-                                  overlap(*pairs[i]->master, pairs[j]->slave);
-          if (is_same || is_swapped)
-            throw InputError("two contact pairs have the same " + parts +
-                               " as slave and master" +
-                               (is_swapped ? ", swapped" : "") +
-                               ": how they share the force is not determined",
-                             "'" + parameters[i].section() + "' and '" +
-                               parameters[j].section() + "'",
-                             "remove one of them, or take the common " + parts +
-                               " out of one");
-        }
-    for (unsigned int i = 0; i < pairs.size(); ++i)
-      if (pairs[i]->obstacle && !pairs[i]->tied) // glue has no sides
-        check_side(*pairs[i], parameters[i]);
-  }
-
-
-
-  // An obstacle whose normal points the other way would pull the slave.
-  template<int dim>
-  void
-  ContactInterface<dim>::check_side(const ContactPair<dim>    &contact_pair,
-                                    const Parameters::Contact &parameters) const
-  {
-    const Surface<dim> &slave   = contact_pair.slave;
-    const auto          normals = DeformedSurface<dim>(slave, {}).normals();
-    double              depth   = 0;
-    Point<dim>          deepest;
-    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
-      {
-        const Point<dim> X       = slave.nodes[i].X;
-        const auto       closest = contact_pair.obstacle->closest_point(X);
-        if (normals[i] * closest.normal < 0)
-          return;
-        if ((closest.x - X) * closest.normal > depth)
-          {
-            depth   = (closest.x - X) * closest.normal;
-            deepest = X;
-          }
-      }
-    const double digits = 1e-6; // of a mesh file, by the length of an edge
-    if (depth > digits * slave.reference_length(0))
-      throw InputError("the slave '" + parameters.slave +
-                         "' is inside of its obstacle, " + brief(depth) +
-                         " mm deep at (" + brief(deepest) +
-                         ") mm, and no node of it faces the obstacle",
-                       parameters.section() + "/Obstacle",
-                       "turn the obstacle's normal round: of a plane its last "
-                       "numbers, of a circle the sign of the radius, of a "
-                       "profile the order of its points; or correct the slave");
-  }
-
-
-
-  template<int dim>
-  ArrayView<const ContactPoint<dim>>
-  ContactInterface<dim>::points_of(const ContactPair<dim> &contact_pair) const
-  {
-    return {all_points.data() + contact_pair.first_point,
-            contact_pair.n_points};
   }
 
 
@@ -175,10 +89,7 @@ namespace Contact
     frames.part(points);
     for (const auto &contact_pair : pairs)
       if (!contact_pair->tied)
-        contact_pair->pair({points.data() + contact_pair->first_point,
-                            contact_pair->n_points},
-                           u,
-                           {});
+        contact_pair->pair(contact_pair->points_among(points), u, {});
     frames.join(points, u);
     return points;
   }
@@ -190,94 +101,11 @@ namespace Contact
     const ContactPair<dim> &contact_pair) const
   {
     std::vector<ContactPoint<dim>> points;
-    for (unsigned int q = 0; q < points_of_slave(contact_pair).size(); ++q)
+    const auto n = contact_pair.points_of_slave(all_points).size();
+    for (unsigned int q = 0; q < n; ++q)
       points.push_back(
         frames.as_it_acts(all_points, contact_pair.first_point + q));
     return points;
-  }
-
-
-
-  template<int dim>
-  unsigned int
-  ContactInterface<dim>::acting_multiplier(const unsigned int k) const
-  {
-    return frames.acting_multiplier(all_points, k);
-  }
-
-
-
-  template<int dim>
-  bool ContactInterface<dim>::is_tied() const
-  {
-    return std::all_of(pairs.begin(),
-                       pairs.end(),
-                       [](const auto &contact_pair) {
-                         return contact_pair->tied;
-                       });
-  }
-
-
-
-  template<int dim>
-  bool ContactInterface<dim>::has_friction() const
-  {
-    return std::any_of(pairs.begin(),
-                       pairs.end(),
-                       [](const auto &contact_pair) {
-                         return !contact_pair->tied &&
-                                !contact_pair->law.is_frictionless();
-                       });
-  }
-
-
-
-  template<int dim>
-  bool ContactInterface<dim>::has_coulomb_friction() const
-  {
-    return std::any_of(pairs.begin(),
-                       pairs.end(),
-                       [](const auto &contact_pair) {
-                         return !contact_pair->tied &&
-                                contact_pair->law.coulomb_coefficient > 0;
-                       });
-  }
-
-
-
-  template<int dim>
-  unsigned int ContactInterface<dim>::n_multipliers() const
-  {
-    return n_normal_multipliers() + (dim - 1) * n_tangential +
-           all_motions.size();
-  }
-
-
-
-  template<int dim>
-  unsigned int ContactInterface<dim>::n_normal_multipliers() const
-  {
-    return tangential_number.size();
-  }
-
-
-
-  template<int dim>
-  types::global_dof_index
-  ContactInterface<dim>::normal_index(const unsigned int k) const
-  {
-    return discretization.dof_handler.n_dofs() + k;
-  }
-
-
-
-  template<int dim>
-  types::global_dof_index
-  ContactInterface<dim>::tangential_index(const unsigned int k,
-                                          const unsigned int tangent) const
-  {
-    return normal_index(n_normal_multipliers() +
-                        (dim - 1) * tangential_number[k] + tangent);
   }
 
 
@@ -300,34 +128,77 @@ namespace Contact
   bool ContactInterface<dim>::pair(const GhostedVector &u,
                                    const PairingMode   &mode)
   {
-    paired_undeformed = u.all_zero();
-    bool changed      = equations_changed;
-    equations_changed = false;
-    place_obstacles(u, /*keeps_place=*/false);
-    const auto joined = frames.part(all_points);
+    paired_undeformed  = u.all_zero();
+    bool       changed = motions.place_for_pairing(u);
+    const auto joined  = frames.part(all_points);
     for (const auto &contact_pair : pairs)
       changed =
-        contact_pair->pair({all_points.data() + contact_pair->first_point,
-                            contact_pair->n_points},
-                           u,
-                           mode) ||
+        contact_pair->pair(contact_pair->points_among(all_points), u, mode) ||
         changed;
     changed = frames.join(all_points, u) != joined || changed;
-    find_held_slips();
+    active_set.find_held_slips();
     return changed;
   }
 
 
 
+  // The normals are those of the last pairing: before obstacles turn.
   template<int dim>
-  double ContactInterface<dim>::largest_turn() const
+  void ContactInterface<dim>::begin_increment(const double         from,
+                                              const GhostedVector &solution)
   {
-    double largest = 0;
+    for (ContactPoint<dim> &point : all_points)
+      {
+        const auto &interference    = *contact_pair(point).interference;
+        point.shear_at_start        = state(point, solution, solution).lambda_t;
+        point.interference_at_start = Tensor<1, dim>();
+        if (interference.at)
+          point.interference_at_start =
+            interference.at(Point<1>(from)) * point.normal;
+      }
+  }
+
+
+
+  template<int dim>
+  void
+  ContactInterface<dim>::pair_and_begin_increment(const double         from,
+                                                  const GhostedVector &start)
+  {
+    if (!has_pair([](const auto &of) { return bool(of.interference->at); }))
+      return;
+    pair(start);
+    begin_increment(from, start);
+  }
+
+
+
+  template<int dim>
+  void
+  ContactInterface<dim>::ramp_initial_penetration(const double         from,
+                                                  const double         to,
+                                                  const GhostedVector &start)
+  {
     for (const auto &contact_pair : pairs)
-      if (contact_pair->obstacle)
-        largest =
-          std::max(largest, contact_pair->obstacle->motion().turn.norm());
-    return largest;
+      if (!contact_pair->tied)
+        {
+          auto &interference = *contact_pair->interference;
+          if (from == 0 && to < 1)
+            {
+              interference.at_start = interference.initial_clearance = 0;
+              for (const ContactPoint<dim> &point :
+                   contact_pair->points_among(all_points))
+                if (point.facing)
+                  interference.at_start =
+                    std::max(interference.at_start,
+                             -state(point, start, start).gap);
+            }
+          interference.initial_clearance = (1 - to) * interference.at_start;
+          for (ContactPoint<dim> &point :
+               contact_pair->points_among(all_points))
+            point.interference_at_start -=
+              (1 - from) * interference.at_start * point.normal;
+        }
   }
 
 
@@ -348,10 +219,11 @@ namespace Contact
         if (contact_pair->master)
           look(*contact_pair->master);
       }
-    for (unsigned int k = 0; k < all_motions.size(); ++k)
-      change = std::max(change,
-                        all_motions[k]->lever *
-                          std::abs(u[motion_index(k)] - from[motion_index(k)]));
+    for (unsigned int k = 0; k < motions.free.size(); ++k)
+      change =
+        std::max(change,
+                 motions.free[k]->lever *
+                   std::abs(u[motions.index(k)] - from[motions.index(k)]));
     return change;
   }
 
@@ -381,7 +253,7 @@ namespace Contact
       {
         const MotionAt<dim> &at = point.motions[k];
         const Tensor<1, dim> way =
-          (motion(point, k, solution) - at.paired) * at.way;
+          (motions.value(point, k, solution) - at.paired) * at.way;
         dr -= way;
         for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
           r -= point.C[a] * way;
@@ -435,18 +307,9 @@ namespace Contact
           for (unsigned int t = 0; t < dim - 1; ++t)
             square += std::pow(stiffness[k] * rhs[tangential_index(k, t)], 2);
       }
-    for (unsigned int k = 0; k < all_motions.size(); ++k)
-      square += std::pow(rhs[motion_index(k)] / all_motions[k]->lever, 2);
+    for (unsigned int k = 0; k < motions.free.size(); ++k)
+      square += std::pow(rhs[motions.index(k)] / motions.free[k]->lever, 2);
     return std::sqrt(square);
-  }
-
-
-
-  template<int dim>
-  void ContactInterface<dim>::clear_changes()
-  {
-    for (ContactPoint<dim> &point : all_points)
-      point.change = PairingChange<dim>();
   }
 
 
@@ -467,8 +330,8 @@ namespace Contact
           unknowns.push_back(tangential_index(point.multipliers[k], t));
     const unsigned int first = contact_pair(point).first_motion;
     for (unsigned int k = 0; k < point.motions.size(); ++k)
-      if (!all_motions[first + k]->stays)
-        unknowns.push_back(motion_index(first + k));
+      if (!motions.free[first + k]->stays)
+        unknowns.push_back(motions.index(first + k));
     std::vector<types::global_dof_index> own(unknowns.begin(),
                                              unknowns.begin() +
                                                dim * point.n_nodes);

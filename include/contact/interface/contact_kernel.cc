@@ -30,7 +30,7 @@ namespace Contact
         dim * point.n_nodes +
         (interface.has_friction(point) ? dim : 1) * point.n_multipliers;
       for (unsigned int k = 0; k < point.motions.size(); ++k)
-        if (!interface.free_motions()[first + k]->stays)
+        if (!interface.motions.free[first + k]->stays)
           visit(
             place++,
             [&](const auto &row) {
@@ -59,7 +59,7 @@ namespace Contact
         interface,
         point,
         [&](const unsigned int j, const auto &, const unsigned int motion) {
-          if (!interface.free_motions()[motion]->turns)
+          if (!interface.motions.free[motion]->turns)
             return;
           for (unsigned int k = 0; k < 2 * point.n_slave_nodes; ++k)
             {
@@ -486,7 +486,7 @@ namespace Contact
       {
         const ContactPoint<dim> &point = interface.points()[q];
         const ContactState<dim> now = interface.state(point, solution, u_start);
-        const Traction<dim>     t   = interface.traction(point, now);
+        const Traction<dim>     t   = interface.active_set.traction(point, now);
         this->rows(point, solution, u_start, linearization, rows);
         assemble_residual(point, now, t, rows, local_rhs);
         if (matrix != nullptr)
@@ -510,17 +510,17 @@ namespace Contact
       }
     const bool is_first = Utilities::MPI::this_mpi_process(
                             interface.discretization.communicator) == 0;
-    for (unsigned int k = 0; k < interface.free_motions().size(); ++k)
+    for (unsigned int k = 0; k < interface.motions.free.size(); ++k)
       {
-        const FreeMotion &motion = *interface.free_motions()[k];
-        const auto        index  = interface.motion_index(k);
+        const FreeMotion &motion = *interface.motions.free[k];
+        const auto        index  = interface.motions.index(k);
         if (!motion.stays && is_first)
           rhs[index] += motion.force;
         if (matrix == nullptr)
           continue;
         interface.discretization.counters.free_motions += !motion.stays;
         matrix->diag_element(index) +=
-          motion.stays ? 1 : interface.motion_spring(motion);
+          motion.stays ? 1 : interface.motions.spring(motion);
       }
   }
 

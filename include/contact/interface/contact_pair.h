@@ -131,17 +131,25 @@ namespace Contact
                        const GhostedVector &u,
                        const PairingMode   &mode) const;
 
-    /// Of all points its own: those of the slave, and behind them the corners
-    /// of the master.
-    template<typename Point>
-    ArrayView<Point> points_of_slave(Point *const all_points) const
+    /// The own points among all, those of the slave, and behind them the
+    /// corners of the master.
+    template<typename Points>
+    auto points_among(Points &all_points) const
     {
-      return {all_points + first_point, n_of_slave};
+      const auto first = all_points.data() + first_point;
+      return make_array_view(first, first + n_points);
     }
-    template<typename Point>
-    ArrayView<Point> corners_of_master(Point *const all_points) const
+    template<typename Points>
+    auto points_of_slave(Points &all_points) const
     {
-      return {all_points + first_point + n_of_slave, n_points - n_of_slave};
+      const auto first = all_points.data() + first_point;
+      return make_array_view(first, first + n_of_slave);
+    }
+    template<typename Points>
+    auto corners_of_master(Points &all_points) const
+    {
+      const auto first = all_points.data() + first_point;
+      return make_array_view(first + n_of_slave, first + n_points);
     }
 
     /// The surface that a point belongs to: but for corners of the master, the

@@ -30,7 +30,7 @@ namespace Contact
     for (const ContactPoint<dim> &point : interface.acting_points(contact_pair))
       {
         const ContactState<dim> now = interface.state(point, solution, u_start);
-        const Traction<dim>     t   = interface.traction(point, now);
+        const Traction<dim>     t   = interface.active_set.traction(point, now);
         const Tensor<1, dim>    arm =
           point.projection - contact_pair.obstacle->centre();
         const Tensor<1, dim> gap =
@@ -54,10 +54,10 @@ namespace Contact
       {
         const unsigned int k = contact_pair.first_motion;
         return {{"preload",
-                 interface.motion_forces(solution,
-                                         u_start,
-                                         /*of_multipliers=*/false)[k]},
-                {"shortening", interface.motions(solution)[k]}};
+                 interface.motions.forces(solution,
+                                          u_start,
+                                          /*of_multipliers=*/false)[k]},
+                {"shortening", interface.motions.values(solution)[k]}};
       }
     const auto parts =
       obstacle_forces(interface, contact_pair, solution, u_start);

@@ -95,7 +95,7 @@ namespace Contact
           state.statuses.push_back(interface.points()[acting].status);
         }
       for (const ContactPoint<2> &point :
-           interface.corners_of_master(contact_pair))
+           contact_pair.corners_of_master(interface.points()))
         {
           const unsigned int k = point.multipliers[0];
           state.corners.push_back(
@@ -158,7 +158,7 @@ namespace Contact
           if (!points[k].facing)
             points[k].status = PointStatus<2>();
           else if (points[k].status.kind == Status::stick &&
-                   !interface.can_stick(points[k]))
+                   !interface.active_set.can_stick(points[k]))
             points[k].status = {Status::slip, 0};
         }
     }
@@ -174,14 +174,14 @@ namespace Contact
                          GhostedVector                &solution)
     {
       auto corner = state.corners.begin();
-      for (ContactPoint<2> &point :
-           contact_pair.corners_of_master(points.data()))
+      for (ContactPoint<2> &point : contact_pair.corners_of_master(points))
         {
           if (corner == state.corners.end())
             break;
           point.status = point.facing ? corner->status : PointStatus<2>();
           point.friction_bound = corner->bound;
-          if (point.status.kind == Status::stick && !interface.can_stick(point))
+          if (point.status.kind == Status::stick &&
+              !interface.active_set.can_stick(point))
             point.status = {Status::slip, 0};
           const unsigned int k                = point.multipliers[0];
           solution[interface.normal_index(k)] = corner->force / point.weight;
@@ -272,7 +272,7 @@ namespace Contact
                                               solution));
           }
       for (const ContactPoint<3> &corner :
-           interface.corners_of_master(contact_pair))
+           contact_pair.corners_of_master(interface.points()))
         {
           state.corner_places.push_back(corner.X(0));
           state.corners.push_back(save_point(interface,
@@ -310,8 +310,7 @@ namespace Contact
             solution);
       const auto corners = pack_rtree_of_indices(state.corner_places);
       if (!state.corners.empty())
-        for (ContactPoint<3> &corner :
-             contact_pair.corners_of_master(points.data()))
+        for (ContactPoint<3> &corner : contact_pair.corners_of_master(points))
           restore_point(state.corners[nearest(corner.X(0), corners)],
                         interface,
                         contact_pair,

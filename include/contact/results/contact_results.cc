@@ -25,7 +25,7 @@ namespace Contact
                             const ContactState<dim>     &now,
                             ContactResults              &results)
     {
-      const Traction<dim> traction = interface.traction(point, now);
+      const Traction<dim> traction = interface.active_set.traction(point, now);
       results.normal_force += point.weight * traction.p;
       results.tangential_force += point.weight * traction.q[0];
       return traction;
@@ -123,7 +123,7 @@ namespace Contact
     std::map<unsigned int, std::pair<const ContactPoint<2> *, Traction<2>>>
       at_node;
     for (const ContactPoint<2> &corner :
-         interface.corners_of_master(contact_pair))
+         contact_pair.corners_of_master(interface.points()))
       if (const Traction<2> traction = add_point(corner);
           corner.status.kind != Status::open)
         if (const unsigned int node = node_at_foot(corner, contact_pair.slave);
@@ -165,13 +165,13 @@ namespace Contact
     Tensor<1, 3>   shear;
     const auto     add_force = [&](const ContactPoint<3> &point) {
       const ContactState<3> now = interface.state(point, solution, u_start);
-      const Traction<3>     t   = interface.traction(point, now);
+      const Traction<3>     t   = interface.active_set.traction(point, now);
       results.normal_force += point.weight * t.p;
       shear += point.weight * point.along_tangents(t.q);
       return t;
     };
     for (const ContactPoint<3> &point :
-         interface.corners_of_master(contact_pair))
+         contact_pair.corners_of_master(interface.points()))
       if (point.status.kind != Status::open)
         add_force(point);
     for (const ContactPoint<3> &point : interface.acting_points(contact_pair))
@@ -266,7 +266,7 @@ namespace Contact
     const Surface<dim>       &slave = contact_pair.slave;
     std::vector<Tensor<1, 2>> tractions(slave.nodes.size());
     for (const ContactPoint<dim> &point :
-         interface.corners_of_master(contact_pair))
+         contact_pair.corners_of_master(interface.points()))
       if (point.facing && point.status.kind != Status::open)
         {
           const ContactState<dim> now =
@@ -298,8 +298,9 @@ namespace Contact
     for (const ContactPoint<dim> &point : interface.points())
       {
         const ContactState<dim> now = interface.state(point, solution, u_start);
-        const Traction<dim>     traction = interface.traction(point, now);
-        const Tensor<1, dim>    force =
+        const Traction<dim>     traction =
+          interface.active_set.traction(point, now);
+        const Tensor<1, dim> force =
           point.weight *
           (traction.p * point.normal + point.along_tangents(traction.q));
         for (unsigned int a = 0; a < point.n_nodes; ++a)
@@ -365,9 +366,10 @@ namespace Contact
         for (unsigned int n = 0; surface && n < surface->nodes.size(); ++n)
           if (surface->nodes[n].dofs == node)
             {
-              const auto &edges   = surface->facets_of_node[n];
-              const auto  points  = interface.points_of(*contact_pair);
-              const auto  touches = [&](const ContactPoint<2> &point) {
+              const auto &edges = surface->facets_of_node[n];
+              const auto  points =
+                contact_pair->points_among(interface.points());
+              const auto touches = [&](const ContactPoint<2> &point) {
                 return point.status.kind != Status::open &&
                        std::count(point.nodes.begin(),
                                   point.nodes.end(),

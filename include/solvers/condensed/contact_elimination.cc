@@ -119,7 +119,7 @@ namespace Contact
     // A point that slips under a moving bound makes the matrix unsymmetric, and
     // a change of the pairing.
     symmetric = true;
-    if (interface != nullptr && interface->bounds_follow)
+    if (interface != nullptr && interface->bounds.follow)
       for (const ContactPoint<dim> &point : interface->points())
         if (!point.change.dofs.empty() ||
             (point.status.has_direction() &&
@@ -517,7 +517,7 @@ namespace Contact
           tractions[k].p;
         if (interface->contact_pair(point).law.is_frictionless())
           continue;
-        const double       bound = interface->law(point).bound(tractions[k].p);
+        const double bound = interface->bounds.law(point).bound(tractions[k].p);
         Tensor<1, dim - 1> q;
         if (point.status.kind == Status::stick)
           q = tractions[k].q;

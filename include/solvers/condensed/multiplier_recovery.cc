@@ -138,7 +138,7 @@ namespace Contact
   MultiplierRecovery<dim>::factors(const Share &share) const
   {
     const ContactPoint<dim> &point  = points[share.point];
-    const FrictionLaw        law    = interface.law(point);
+    const FrictionLaw        law    = interface.bounds.law(point);
     const double             normal = point.normal[share.coordinate];
     Factors                  factors{share.factor * normal, {}, 0};
     for (const Tensor<1, dim - 1> &direction : shear_directions[share.point])
@@ -183,10 +183,11 @@ namespace Contact
       else if (points[k].status.kind == Status::slip)
         {
           const Tensor<1, dim - 1> d = points[k].status.direction();
-          const double bound = interface.law(points[k]).bound(tractions[k].p);
-          tractions[k].q     = shear_directions[k].empty()
-                                 ? turned[k].shear + bound * turned[k].turn
-                                 : tractions[k].q - (tractions[k].q * d) * d;
+          const double             bound =
+            interface.bounds.law(points[k]).bound(tractions[k].p);
+          tractions[k].q = shear_directions[k].empty()
+                             ? turned[k].shear + bound * turned[k].turn
+                             : tractions[k].q - (tractions[k].q * d) * d;
         }
     return tractions;
   }
@@ -211,7 +212,7 @@ namespace Contact
             const Tensor<1, dim>     edge =
               cross_product_3d(first.normal, first.tangents_held_by_points[0]);
             const auto bound = [&](const unsigned int k) {
-              return interface.law(points[k]).bound(tractions[k].p);
+              return interface.bounds.law(points[k]).bound(tractions[k].p);
             };
             double force = 0, most = 0;
             for (const unsigned int k : of_node)

@@ -115,7 +115,7 @@ namespace Contact
         if (!point.status.has_direction() || size == 0 ||
             !point.tangents_held_by_points.empty())
           continue;
-        const double bound = interface.law(point).bound(now.p_trial);
+        const double bound = interface.bounds.law(point).bound(now.p_trial);
         // The exact stiffness of a point that hardly slips is without bound:
         // multigrid takes more iterations then, and active sets find no end. A
         // sliver of a facet has less weight.

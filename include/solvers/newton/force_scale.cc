@@ -102,7 +102,7 @@ namespace Contact
     double dead = elasticity.dead_loads.magnitude(load_factor) +
                   elasticity.thermal_forces();
     if (interface != nullptr)
-      for (const FreeMotion *motion : interface->free_motions())
+      for (const FreeMotion *motion : interface->motions.free)
         if (!motion->stays)
           dead += std::abs(motion->force) / motion->lever;
     return dead;
@@ -150,7 +150,7 @@ namespace Contact
         {
           const ContactState<dim> now =
             interface->state(point, solution, u_start);
-          const Traction<dim> t = interface->traction(point, now);
+          const Traction<dim> t = interface->active_set.traction(point, now);
           sum += point.weight * std::hypot(t.p, t.q.norm());
         }
     return sum;

@@ -74,7 +74,7 @@ namespace Contact
   void NewtonState<dim>::remember_status()
   {
     if (model.interface)
-      last_statuses = model.interface->statuses();
+      last_statuses = model.interface->active_set.statuses();
   }
 
 
@@ -117,7 +117,7 @@ namespace Contact
                        interface.points().end(),
                        [&](const ContactPoint<dim> &point) {
                          return point.status.kind == Status::open &&
-                                interface
+                                interface.active_set
                                     .status_in(point,
                                                state.solution,
                                                state.start)
@@ -171,17 +171,17 @@ namespace Contact
     if (after_a_step)
       system->recover_multipliers(rhs, part, state);
     const unsigned int n =
-      interface.update_statuses(state.solution,
-                                state.start,
-                                /*keep=*/after_a_step && !single_changes);
+      interface.active_set.update(state.solution,
+                                  state.start,
+                                  /*keep=*/after_a_step && !single_changes);
     if (after_a_step && n > 0)
       ++model.discretization->counters.active_set_changes;
     // As the search does. Without the search statuses change from step to step,
     // and a reset would begin each turn of the friction loop anew.
-    if (system->has_multipliers() && after_a_step && !interface.bounds_follow)
-      interface.reset_bounds_of_open_points();
+    if (system->has_multipliers() && after_a_step && !interface.bounds.follow)
+      interface.bounds.reset_of_open_points();
     if (after_a_step && single_changes)
-      interface.update_first_status(state.solution, state.start);
+      interface.active_set.update_first(state.solution, state.start);
     return n;
   }
 
@@ -193,7 +193,7 @@ namespace Contact
   bool NewtonState<dim>::has_converged() const
   {
     if (dim == 3 && n_steps == 0 && model.interface &&
-        model.interface->obstacles_move())
+        model.interface->motions.are_moving())
       return false;
     const bool has_statuses =
       n_status_changes == 0 ||
@@ -214,11 +214,11 @@ namespace Contact
                        [&](const ContactPoint<dim> &point) {
                          const ContactState<dim> now =
                            interface.state(point, state.solution, state.start);
-                         return interface.updated_status(point,
-                                                         PointStatus<dim>(),
-                                                         now.p_trial,
-                                                         now.q_trial) ==
-                                point.status;
+                         return interface.active_set.updated_status(
+                                  point,
+                                  PointStatus<dim>(),
+                                  now.p_trial,
+                                  now.q_trial) == point.status;
                        });
   }
 
@@ -244,7 +244,7 @@ namespace Contact
         model.discretization->constrain_update(state.solution,
                                                state.load_factor);
         if (model.interface)
-          model.interface->set_statuses(last_statuses);
+          model.interface->active_set.set_statuses(last_statuses);
         evaluate_with(/*single_changes=*/false);
         residuals.push_back(convergence.residual());
       }
@@ -353,7 +353,8 @@ namespace Contact
   template<int dim>
   bool NewtonState<dim>::friction_acts() const
   {
-    return model.has_friction() && model.interface->count().active > 0;
+    return model.has_friction() &&
+           model.interface->active_set.count().active > 0;
   }
 
 
@@ -395,7 +396,7 @@ namespace Contact
     const unsigned int  max_turns = 10;
     const double        little    = 0.01; // of the residual
     const GhostedVector first     = state.solution;
-    const auto          statuses  = model.interface->statuses();
+    const auto          statuses  = model.interface->active_set.statuses();
     const double        largest =
       first.linfty_norm() / std::numeric_limits<double>::epsilon();
     step.continues = true;
@@ -409,7 +410,7 @@ namespace Contact
         if (!is_solution)
           {
             state.solution = first;
-            model.interface->set_statuses(statuses);
+            model.interface->active_set.set_statuses(statuses);
           }
       }
     return n;
@@ -434,13 +435,13 @@ namespace Contact
   {
     system->recover_multipliers(rhs, 1, state);
     const auto update_statuses = [&](const bool keep) {
-      return model.interface->update_statuses(state.solution,
-                                              state.start,
-                                              keep);
+      return model.interface->active_set.update(state.solution,
+                                                state.start,
+                                                keep);
     };
     if (update_statuses(/*keep=*/false) == 0)
       return false;
-    const auto statuses = model.interface->statuses();
+    const auto statuses = model.interface->active_set.statuses();
     rhs                 = 0;
     add_contact();
     rhs.sadd(-1, 0, rhs);
@@ -448,7 +449,7 @@ namespace Contact
     add_contact();
     if (convergence.norm_of(rhs) <= tolerance * convergence.force_scale())
       {
-        model.interface->set_statuses(statuses);
+        model.interface->active_set.set_statuses(statuses);
         return false;
       }
     ++model.discretization->counters.active_set_changes;

@@ -72,7 +72,7 @@ namespace Contact
   bool Pairing<dim>::has_derivatives() const
   {
     return present.moving_geometry ||
-           (dim == 3 && follows_each_step() && model.interface->bounds_follow &&
+           (dim == 3 && follows_each_step() && model.interface->bounds.follow &&
             (model.has_friction() || is_in_tangent) &&
             model.elasticity->springs.held().empty());
   }

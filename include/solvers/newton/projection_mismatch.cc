@@ -41,7 +41,8 @@ namespace Contact
         }
       for (unsigned int k = 0; k < point.motions.size(); ++k)
         r -= of_slave *
-             (interface.motion(point, k, solution) - point.motions[k].paired) *
+             (interface.motions.value(point, k, solution) -
+              point.motions[k].paired) *
              point.motions[k].way;
       return r;
     }
@@ -74,7 +75,7 @@ namespace Contact
         if (!paired.facing)
           return 0;
         const auto state    = interface.state(paired, solution, u_start);
-        const auto traction = interface.traction(paired, state);
+        const auto traction = interface.active_set.traction(paired, state);
         return paired.weight * std::hypot(traction.p, traction.q.norm());
       }
 

@@ -86,9 +86,9 @@ namespace Contact
   void LinearizedContact::release_held()
   {
     for (unsigned int q = 0; q < points.size(); ++q)
-      if (interface.is_held_by_others(q, [this](const unsigned int point) {
-            return points[point].status;
-          }))
+      if (interface.active_set.is_held_by_others(
+            q,
+            [this](const unsigned int point) { return points[point].status; }))
         {
           points[q].status      = {Status::slip, 0};
           points[q].has_changed = true;
@@ -201,10 +201,11 @@ namespace Contact
   {
     // A point that opens or closes is linearised from the side of contact.
     const double      p = std::max(points[q].p, 0.);
-    const Traction<2> t = interface.traction(interface.points()[q],
-                                             points[q].status,
-                                             p,
-                                             Tensor<1, 1>({points[q].q}));
+    const Traction<2> t =
+      interface.active_set.traction(interface.points()[q],
+                                    points[q].status,
+                                    p,
+                                    Tensor<1, 1>({points[q].q}));
     if (tangential)
       return {t.q[0] - t.dq_dp[0] * p - t.dq_dq * points[q].q,
               t.dq_dp[0],

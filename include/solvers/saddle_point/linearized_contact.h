@@ -89,7 +89,7 @@ namespace Contact
                            FullMatrix<double>   &matrix,
                            Vector<double>       &constant) const;
 
-    /// Release what ContactInterface::is_held_by_others() finds.
+    /// Release what ActiveSet::is_held_by_others() finds.
     void release_held();
 
     /// The statuses of all points, to be compared.

@@ -37,11 +37,11 @@ namespace Contact
                                           IncrementState<2> &state)
   {
     const unsigned int n_motions =
-      model.interface ? model.interface->free_motions().size() : 0;
+      model.interface ? model.interface->motions.free.size() : 0;
     double missing = 0;
     for (unsigned int k = 0; k < n_motions; ++k)
-      missing += std::abs(rhs[model.interface->motion_index(k)]) /
-                 model.interface->free_motions()[k]->lever;
+      missing += std::abs(rhs[model.interface->motions.index(k)]) /
+                 model.interface->motions.free[k]->lever;
     const bool settled = system.solve(state.solution,
                                       state.start,
                                       state.load_factor,
@@ -55,10 +55,10 @@ namespace Contact
              << std::endl;
     if (missing > step.tolerance * step.force)
       for (unsigned int k = 0; k < n_motions; ++k)
-        if (!model.interface->free_motions()[k]->stays)
-          model.interface->check_motion(*model.interface->free_motions()[k],
-                                        rhs[model.interface->motion_index(k)],
-                                        missing);
+        if (!model.interface->motions.free[k]->stays)
+          model.interface->motions.check(*model.interface->motions.free[k],
+                                         rhs[model.interface->motions.index(k)],
+                                         missing);
     state.solution += rhs;
     model.discretization->project_on_rigid_motions(state.solution,
                                                    state.load_factor);

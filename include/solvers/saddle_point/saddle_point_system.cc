@@ -11,7 +11,7 @@
 #include <cmath>
 
 #include "solvers/newton/nearby_state.h"
-#include "solvers/saddle_point/active_set.h"
+#include "solvers/saddle_point/active_set_search.h"
 
 namespace Contact
 {
@@ -194,7 +194,7 @@ namespace Contact
     std::vector<bool> is_multiplier(matrix.m());
     if (interface)
       for (auto i = discretization.dof_handler.n_dofs();
-           i < interface->motion_index(0);
+           i < interface->motions.index(0);
            ++i)
         is_multiplier[i] = true;
     const auto is_definite = [&] {
@@ -236,7 +236,7 @@ namespace Contact
     if (!solver.is_factorized() || discretization.update_is_prescribed() ||
         pattern_version != discretization.pattern_version() ||
         factorized_version != elasticity.tangent_version() ||
-        (interface && factorized_statuses != interface->signature()))
+        (interface && factorized_statuses != interface->active_set.signature()))
       return false;
     if (elasticity.is_linear() && !geometry_follows)
       return true;
@@ -294,7 +294,7 @@ namespace Contact
     stresses_turn      = stress_stiffness == StressStiffness::with;
     factorized_version = elasticity.tangent_version();
     if (interface)
-      factorized_statuses = interface->signature();
+      factorized_statuses = interface->active_set.signature();
   }
 
 

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "solvers/saddle_point/active_set.h"
+#include "solvers/saddle_point/active_set_search.h"
 
 #include <algorithm>
 #include <set>
@@ -94,10 +94,10 @@ namespace Contact
         if (!problem.responses[i].tangential)
           {
             tractions.push_back(
-              {i, numbers::invalid_unsigned_int, interface.law(point)});
+              {i, numbers::invalid_unsigned_int, interface.bounds.law(point)});
             number_of.push_back(q);
           }
-        else if (interface.can_stick(point))
+        else if (interface.active_set.can_stick(point))
           tractions[std::find(number_of.begin(), number_of.end(), q) -
                     number_of.begin()]
             .q = i;
@@ -107,14 +107,13 @@ namespace Contact
       return false;
 
     for (unsigned int i = 0; i < number_of.size(); ++i)
-      problem.points[number_of[i]].status =
-        interface.updated_status(interface.points()[number_of[i]],
-                                 PointStatus<2>(),
-                                 z[tractions[i].p],
-                                 Tensor<1, 1>({tractions[i].q ==
-                                                   numbers::invalid_unsigned_int
-                                                 ? 0.
-                                                 : z[tractions[i].q]}));
+      problem.points[number_of[i]].status = interface.active_set.updated_status(
+        interface.points()[number_of[i]],
+        PointStatus<2>(),
+        z[tractions[i].p],
+        Tensor<1, 1>({tractions[i].q == numbers::invalid_unsigned_int
+                        ? 0.
+                        : z[tractions[i].q]}));
     problem.release_held();
     corrected = problem.solve_changes(update);
     return true;
@@ -132,21 +131,23 @@ namespace Contact
       {
         LinearizedContact::Point &point = problem.points[q];
         PointStatus<2>            status =
-          interface.updated_status(interface.points()[q],
-                                   point.status,
-                                   point.p_after(update),
-                                   Tensor<1, 1>({point.q_after(update)}));
-        if (interface.is_held_by_others(q, [&](const unsigned int other) {
-              return other == q ? status : problem.points[other].status;
-            }))
+          interface.active_set.updated_status(interface.points()[q],
+                                              point.status,
+                                              point.p_after(update),
+                                              Tensor<1, 1>(
+                                                {point.q_after(update)}));
+        if (interface.active_set
+              .is_held_by_others(q, [&](const unsigned int other) {
+                return other == q ? status : problem.points[other].status;
+              }))
           status = {Status::slip, 0};
         if (status == point.status)
           continue;
         changed           = true;
         point.has_changed = true;
         point.status      = status;
-        if (!interface.bounds_follow && status.kind == Status::open)
-          interface.reset_bound(q);
+        if (!interface.bounds.follow && status.kind == Status::open)
+          interface.bounds.reset(q);
       }
     problem.release_held();
     return changed;
@@ -156,6 +157,6 @@ namespace Contact
 
   bool ActiveSetSearch::keeps_statuses() const
   {
-    return problem.signature() == interface.signature();
+    return problem.signature() == interface.active_set.signature();
   }
 } // namespace Contact

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#ifndef contact_active_set_h
-#define contact_active_set_h
+#ifndef contact_active_set_search_h
+#define contact_active_set_search_h
 
 #include "solvers/saddle_point/linearized_contact.h"
 
@@ -35,8 +35,8 @@ namespace Contact
      * Given the Newton @p update under the present statuses at @p solution,
      * constraints distributed, make it the update of the linearised problem.
      * A point that opens loses its frozen bound, see
-     * ContactInterface::reset_bound(); the statuses in the points stay:
-     * ContactInterface::update_statuses() makes the new ones after the step.
+     * FrictionBounds::reset(); the statuses in the points stay:
+     * ActiveSet::update() makes the new ones after the step.
      * Returns whether no point wants to change its status; otherwise, as can be
      * where bounds of friction are frozen,
      * @p update is left as it is. Throws NotConverged if statuses let a body
