@@ -7,10 +7,7 @@
 
 #include "contact/interface/contact_kernel.h"
 
-#include <algorithm>
-#include <numeric>
-
-
+#include "contact/interface/pairing_motion.h"
 
 namespace Contact
 {
@@ -88,211 +85,6 @@ namespace Contact
 
 
 
-  /// The motion of the pairing of a contact point with the bodies: derivatives
-  /// with respect to its unknowns, by their place in Rows::unknowns.
-  template<int dim>
-  struct ContactKernel<dim>::Motion
-  {
-    std::vector<unsigned int> columns;
-
-    FullMatrix<double>  C;      // of the coefficients, by node
-    std::vector<double> weight; // of the weight, relative
-    std::vector<double> omega;  // d_n = -omega t, d_t = omega n
-    std::vector<double> gap;    // of the gap, but for n . sum C_a du_a
-    std::vector<double> slip;   // of the slip, but for t . sum C_a du_a
-  };
-
-
-
-  // The projection is on the edge however it moves: along it the gap does not
-  // change.
-  template<>
-  ContactKernel<2>::Motion
-  ContactKernel<2>::motion_of_projection(const ContactPoint<2> &point,
-                                         const GhostedVector   &solution,
-                                         const Tensor<1, 2>    &r) const
-  {
-    Tensor<1, 2> kappa = point.projection_curvature;
-    for (unsigned int a = 0; a < point.n_nodes; ++a)
-      for (unsigned int i = 0; i < 2; ++i)
-        kappa[i] -= point.C2[a] * (point.X(a)[i] + solution[point.dofs(a)[i]]);
-    const double gap   = point.normal * r;
-    const double curve = point.normal * kappa;
-    const double slope = point.metric * point.metric - gap * curve;
-
-    const unsigned int n = 2 * point.n_nodes;
-    Motion             motion;
-    motion.columns.resize(n);
-    std::iota(motion.columns.begin(), motion.columns.end(), 0);
-    motion.C.reinit(point.n_nodes, n);
-    motion.weight.resize(n);
-    motion.omega.resize(n);
-    motion.gap.resize(n);
-    motion.slip.resize(n);
-    for (unsigned int a = 0; a < point.n_nodes; ++a)
-      for (unsigned int i = 0; i < 2; ++i)
-        {
-          const unsigned int j    = 2 * a + i;
-          double             d_xi = 0;
-          if (!point.projection_is_clipped)
-            d_xi = (point.metric * point.tangents[0][i] * point.C[a] -
-                    gap * point.normal[i] * point.C1[a]) /
-                   slope;
-          motion.omega[j] =
-            (curve * d_xi - point.C1[a] * point.normal[i]) / point.metric;
-          motion.slip[j] = -point.projection_stretch * point.metric * d_xi;
-          for (unsigned int b = 0; b < point.n_nodes; ++b)
-            motion.C(b, j) = point.C1[b] * d_xi;
-        }
-    return motion;
-  }
-
-
-
-  // Unknowns that are not of the point's own nodes come behind its multipliers.
-  template<>
-  ContactKernel<2>::Motion
-  ContactKernel<2>::motion_of_change(const ContactPoint<2> &point) const
-  {
-    const auto unknowns = interface.unknowns_of(point);
-    Motion     motion;
-    for (const auto dof : point.change.dofs)
-      motion.columns.push_back(
-        std::find(unknowns.begin(), unknowns.end(), dof) - unknowns.begin());
-    motion.C      = point.change.C;
-    motion.weight = point.change.weight;
-    motion.gap    = point.change.projection;
-    for (const Tensor<1, 1> &turn : point.change.turn)
-      motion.omega.push_back(-turn[0]);
-    for (double &gap : motion.gap)
-      gap *= -1;
-    return motion;
-  }
-
-
-
-  // With tau = d x_m/d xi, kappa = d^2 x_m/d xi^2, m = |tau| and the gap g, the
-  // projection of the normal moves as
-  //   (m^2 - g n.kappa) d_xi = tau . sum C_a du_a - g n . sum C1_a du_a
-  // (C1 carries the minus of the master side), and the edge turns by
-  //   omega = n . d_tau / m.
-  // The mortar discretization brings derivatives of its own.
-  template<>
-  ContactKernel<2>::Motion
-  ContactKernel<2>::motion(const ContactPoint<2> &point,
-                           const GhostedVector   &solution,
-                           const GhostedVector   &u_start) const
-  {
-    Tensor<1, 2> r   = -point.projection;
-    Tensor<1, 2> d_r = point.interference_at_start - point.projection_motion;
-    for (unsigned int a = 0; a < point.n_nodes; ++a)
-      for (unsigned int i = 0; i < 2; ++i)
-        {
-          const double u = solution[point.dofs(a)[i]];
-          r[i] += point.C[a] * (point.X(a)[i] + u);
-          d_r[i] += point.C[a] * (u - u_start[point.dofs(a)[i]]);
-        }
-
-    Motion motion = point.change.dofs.empty()
-                      ? motion_of_projection(point, solution, r)
-                      : motion_of_change(point);
-    // Of the gap and of the slip, what C, n and t make.
-    const unsigned int n = motion.columns.size();
-    motion.slip.resize(n);
-    for (unsigned int j = 0; j < n; ++j)
-      {
-        motion.gap[j] -= (point.tangents[0] * r) * motion.omega[j];
-        motion.slip[j] += (point.normal * d_r) * motion.omega[j];
-        for (unsigned int a = 0; a < point.n_nodes; ++a)
-          for (unsigned int i = 0; i < 2; ++i)
-            {
-              const double u = solution[point.dofs(a)[i]];
-              motion.gap[j] +=
-                motion.C(a, j) * point.normal[i] * (point.X(a)[i] + u);
-              motion.slip[j] += motion.C(a, j) * point.tangents[0][i] *
-                                (u - u_start[point.dofs(a)[i]]);
-            }
-      }
-    return motion;
-  }
-
-
-
-  template<>
-  void ContactKernel<2>::add_motion(const ContactPoint<2> &point,
-                                    const Motion          &moves,
-                                    Rows                  &rows) const
-  {
-    const double c = point.augmentation_parameter;
-    for (unsigned int j = 0; j < moves.columns.size(); ++j)
-      {
-        rows.p_trial[moves.columns[j]] -= c * moves.gap[j];
-        if (interface.has_friction(point))
-          rows.q_trial[0][moves.columns[j]] -= c * moves.slip[j];
-      }
-  }
-
-
-
-  // The loads turn and travel with the master edge.
-  template<>
-  void ContactKernel<2>::add_motion(const ContactPoint<2> &point,
-                                    const Motion          &moves,
-                                    const Traction<2>     &t,
-                                    FullMatrix<double>    &matrix,
-                                    const Vector<double>  &residual) const
-  {
-    const unsigned int n_u = 2 * point.n_nodes;
-    const unsigned int n_constraints =
-      (interface.has_friction(point) ? 2 : 1) * point.n_multipliers;
-    const Tensor<1, 2> along  = t.p * point.normal + t.q[0] * point.tangents[0];
-    const Tensor<1, 2> turned = t.q[0] * point.normal - t.p * point.tangents[0];
-    for (unsigned int j = 0; j < moves.columns.size(); ++j)
-      {
-        const unsigned int column = moves.columns[j];
-        for (unsigned int a = 0; a < point.n_nodes; ++a)
-          for (unsigned int i = 0; i < 2; ++i)
-            matrix(2 * a + i, column) -=
-              point.weight *
-              (turned[i] * point.C[a] * moves.omega[j] +
-               along[i] * (moves.C(a, j) + point.C[a] * moves.weight[j]));
-        for (unsigned int k = n_u; k < n_u + n_constraints; ++k)
-          matrix(k, column) += moves.weight[j] * residual[k];
-      }
-  }
-
-
-
-  // Systems in 3-D pair the points before each step.
-  template<>
-  ContactKernel<3>::Motion ContactKernel<3>::motion(const ContactPoint<3> &,
-                                                    const GhostedVector &,
-                                                    const GhostedVector &) const
-  {
-    AssertThrow(false, ExcNotImplemented());
-    return Motion();
-  }
-
-  template<>
-  void ContactKernel<3>::add_motion(const ContactPoint<3> &,
-                                    const Motion &,
-                                    Rows &) const
-  {
-    AssertThrow(false, ExcNotImplemented());
-  }
-
-  template<>
-  void ContactKernel<3>::add_motion(const ContactPoint<3> &,
-                                    const Motion &,
-                                    const Traction<3> &,
-                                    FullMatrix<double> &,
-                                    const Vector<double> &) const
-  {
-    AssertThrow(false, ExcNotImplemented());
-  }
-
-
-
   template<int dim>
   void ContactKernel<dim>::rows(const ContactPoint<dim>    &point,
                                 const GhostedVector        &solution,
@@ -342,7 +134,13 @@ namespace Contact
       }
 
     if (linearization.moving_geometry && !interface.contact_pair(point).tied)
-      add_motion(point, motion(point, solution, u_start), rows);
+      {
+        // Systems in 3-D pair the points before each step.
+        AssertThrow(dim == 2, ExcNotImplemented());
+        if constexpr (dim == 2)
+          PairingMotion(interface, point, solution, u_start)
+            .add_to_trial_values(rows.p_trial, rows.q_trial[0]);
+      }
     for_free_motions(interface,
                      point,
                      [&](const unsigned int j,
@@ -446,11 +244,9 @@ namespace Contact
     if (linearization.moving_geometry && !interface.contact_pair(point).tied &&
         acts)
       {
-        add_motion(point,
-                   motion(point, solution, u_start),
-                   t,
-                   matrix,
-                   residual);
+        if constexpr (dim == 2)
+          PairingMotion(interface, point, solution, u_start)
+            .add_to_tangent(t, residual, matrix);
         for_free_motions(
           interface,
           point,

@@ -68,27 +68,6 @@ namespace Contact
               Rows                       &rows) const;
 
   private:
-    struct Motion;
-    Motion motion(const ContactPoint<dim> &point,
-                  const GhostedVector     &solution,
-                  const GhostedVector     &u_start) const;
-    Motion motion_of_projection(const ContactPoint<dim> &point,
-                                const GhostedVector     &solution,
-                                const Tensor<1, dim>    &r) const;
-    Motion motion_of_change(const ContactPoint<dim> &point) const;
-
-    /// Add the motion of the pairing to the rows of a point.
-    void add_motion(const ContactPoint<dim> &point,
-                    const Motion            &moves,
-                    Rows                    &rows) const;
-
-    /// Add the motion of the loads of a point to its tangent.
-    void add_motion(const ContactPoint<dim> &point,
-                    const Motion            &moves,
-                    const Traction<dim>     &t,
-                    FullMatrix<double>      &matrix,
-                    const Vector<double>    &residual) const;
-
     /// The equations of a point over its unknowns.
     void assemble_residual(const ContactPoint<dim> &point,
                            const ContactState<dim> &now,
