@@ -45,8 +45,7 @@ namespace Contact
                          const std::set<unsigned int> &excluded);
 
     /// See MortarDiscretization<2>.
-    std::vector<ContactPoint<3>>
-    make_points(MultiplierSpace &multipliers) const
+    std::vector<ContactPoint<3>> make_points(MultiplierSpace &multipliers) const
     {
       return make_nodal_points(slave, excluded, multipliers);
     }

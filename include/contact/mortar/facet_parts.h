@@ -26,6 +26,7 @@ namespace Contact
 
 
 
+  /// The parts of a facet of this degree.
   inline const std::vector<FacetPart> &parts_of_facet(const unsigned int degree)
   {
     static const std::vector<FacetPart> one{{{{0, 1, 2, 3}}, Point<2>(), 1}};

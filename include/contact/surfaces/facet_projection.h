@@ -26,7 +26,7 @@ namespace Contact
     FacetPoint<dim> unbounded; // of the facet as it goes on beyond the box
   };
 
-  /// That of @p x. The box has an interval of each coordinate.
+  /// The closest point to @p x. The box has an interval of each coordinate.
   template<int dim>
   FacetProjection<dim>
   project_on_facet(const unsigned int                                    degree,
