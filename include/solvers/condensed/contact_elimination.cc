@@ -39,7 +39,7 @@ namespace Contact
 
     /// The round-off of a gap [mm].
     template<int dim>
-    double round_off(const ContactPoint<dim> &point)
+    double gap_round_off(const ContactPoint<dim> &point)
     {
       double largest = 0;
       for (const SurfaceNode<dim> *node : point.nodes)
@@ -362,7 +362,7 @@ namespace Contact
     double left = -row.constant;
     for (const auto &[dof, coefficient] : row.entries)
       left += coefficient * discretization.constraints.get_inhomogeneity(dof);
-    if (std::abs(left) <= round_off(point))
+    if (std::abs(left) <= gap_round_off(point))
       return;
     if (is_held && left < 0)
       {
