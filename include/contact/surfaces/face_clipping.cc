@@ -21,7 +21,7 @@ namespace Contact
 
     /// Twice the area of the triangle o, a, b; positive if it is
     /// counterclockwise.
-    double cross(const Point<2> &o, const Point<2> &a, const Point<2> &b)
+    double twice_area(const Point<2> &o, const Point<2> &a, const Point<2> &b)
     {
       return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
     }
@@ -31,7 +31,7 @@ namespace Contact
     /// Counterclockwise round its corners.
     Polygon make_polygon(const PlaneQuadrangle &q)
     {
-      if (cross(q[0], q[1], q[3]) + cross(q[0], q[3], q[2]) >= 0)
+      if (twice_area(q[0], q[1], q[3]) + twice_area(q[0], q[3], q[2]) >= 0)
         return Polygon{q[0], q[1], q[3], q[2]};
       return Polygon{q[0], q[2], q[3], q[1]};
     }
@@ -42,7 +42,7 @@ namespace Contact
     {
       double area = 0;
       for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-        area += 0.5 * cross(polygon[0], polygon[i], polygon[i + 1]);
+        area += 0.5 * twice_area(polygon[0], polygon[i], polygon[i + 1]);
       return area;
     }
 
@@ -56,7 +56,7 @@ namespace Contact
         {
           const Point<2> &x = polygon[i],
                          &y = polygon[(i + 1) % polygon.size()];
-          const double of_x = cross(a, b, x), of_y = cross(a, b, y);
+          const double of_x = twice_area(a, b, x), of_y = twice_area(a, b, y);
           if (of_x >= 0)
             left.push_back(x);
           if ((of_x > 0 && of_y < 0) || (of_x < 0 && of_y > 0))
