@@ -123,7 +123,10 @@ namespace Contact
     bool is_held_by_others(const unsigned int point,
                            const StatusOf    &status_of) const;
 
-    /// The status of a point under trial values, after the one @p before.
+    /// The status of a point under trial values, after the one @p before. None
+    /// follows from round-off: an open point closes under more than the
+    /// pressure of that of its gap, a slipping one sticks where its shear is
+    /// below the bound in the first half of its digits.
     PointStatus<dim> updated_status(const ContactPoint<dim>  &point,
                                     const PointStatus<dim>   &before,
                                     const double              p_trial,
