@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iostream>
+#include <set>
 
 #include "base/errors.h"
 #include "base/files.h"
@@ -291,14 +292,16 @@ namespace Contact
                                    const std::string &name,
                                    const Place       &place)
   {
-    if (in_section != "Probes" ||
-        (name != "Hertz" && name != "Frictional theory" &&
-         name != "Concentric cylinders"))
+    static const std::set<std::string> closed_forms = {
+      "Probes/Hertz",
+      "Probes/Frictional theory",
+      "Probes/Concentric cylinders"};
+    const std::string path = in_section + "/" + name;
+    if (closed_forms.count(path) == 0)
       return false;
     note(place,
-         "Probes/" + name +
-           " is no longer read: results are compared with closed forms by "
-           "tests/closed_forms.");
+         path + " is no longer read: results are compared with closed forms by "
+                "tests/closed_forms.");
     return true;
   }
 

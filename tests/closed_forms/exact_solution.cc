@@ -219,7 +219,7 @@ namespace Tests
 
 
     /// Error of values that are interpolated between the nodes of a slave.
-    /// Where contact ends the exact ones have a kink within an edge: hence
+    /// The exact ones have a kink within an edge, at the end of contact: hence
     /// many points.
     double error_on_slave(const std::function<double(const Point<2> &)> &exact,
                           const SlaveTractions                          &slave,

@@ -69,8 +69,8 @@ STICK_TOLERANCE_QUICK = 0.02
 # Errors that the decision table asks for, relative.
 TARGETS = [1e-1, 1e-2, 1e-3, 1e-4]
 
-# What results are compared with, see tests/closed_forms/errors.cc; of Hertz
-# the radius, and the force of the full cylinder where the run does not find it.
+# Closed forms of the problems, see tests/closed_forms/errors.cc; of Hertz the
+# radius, and the force of the full cylinder where the run does not find it.
 CLOSED_FORMS = {
     "rings": "concentric cylinders: 20, 50, 100, 100, 20",
     "rings_matching": "concentric cylinders: 20, 50, 100, 100, 20",

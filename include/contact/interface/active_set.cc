@@ -158,8 +158,8 @@ namespace Contact
 
 
 
-  // What supports move along the surface slips, in whatever other directions it
-  // could stick.
+  // A point that supports move along the surface slips, in whatever other
+  // directions it could stick.
   template<int dim>
   bool ActiveSet<dim>::can_stick(const ContactPoint<dim> &point) const
   {
@@ -181,7 +181,7 @@ namespace Contact
 
 
 
-  // What stuck before begins to slip.
+  // Points that stuck and that supports move now begin to slip.
   template<int dim>
   void ActiveSet<dim>::set_support_motion(const GhostedVector &motion)
   {
@@ -194,8 +194,8 @@ namespace Contact
 
 
 
-  // Where supports leave a direction free, the shear says how the slip turns.
-  // Where they leave none and rest, the last slip goes on.
+  // The shear says how the slip turns in a direction that supports leave free.
+  // If they leave none and rest, the last slip goes on.
   template<int dim>
   typename PointStatus<dim>::Direction
   ActiveSet<dim>::prescribed_direction(const ContactPoint<dim>  &point,
