@@ -500,13 +500,12 @@ IN_3D = (
 
 
 def solved(what, scene, settings, entries, cut, most_steps=MOST_STEPS, **more):
-    """A Result, whether it converged and how, and the balance of its forces. A
-    pair of one side does not see what the other sides hold back: where it reports
-    an overlap that is no failure."""
+    """A Result, whether it converged and how, and the balance of its forces."""
     result = scene.solve("sides", settings, cut=cut, **more, **entries)
-    check(f"  {what}: converges", result.converged(cut) and
+    check(f"  {what}: converges", result.converged() and
           (cut or result.steps <= most_steps * INCREMENTS),
-          f"{result.steps} Newton steps" if result.converged(cut) else
+          (f"{result.steps} Newton steps" + ", a depth is violated" *
+           (result.status == 1)) if result.converged() else
           f"{result.status} {result.said[:300]}")
     if result.forces and not result.imbalance() < 1e-8:
         check("    forces are in balance", False, f"{result.imbalance():.1e}")

@@ -643,7 +643,7 @@ def too_coarse():
         what = f"{rule}, refined {refinements} times"
         check(what + (": a violated invariant" if noted else ": converges"),
               status == noted and noted == ("violated: depth" in said and
-                                            "refine the mesh" in said and
+                                            "refine the slave" in said and
                                             "off by a factor" in said),
               said[-500:])
         forces[rule, refinements] = summary["increments"][-1][

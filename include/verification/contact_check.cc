@@ -141,65 +141,59 @@ namespace Contact
   {
     // Where no force has undone an overlap, the bodies passed through each
     // other, or are a press fit of polygons that leave more open than that.
-    const bool          pushes = carries_force(contact_pair);
-    const GhostedVector none   = u_start.zero();
-    ContactDepth<dim>   now =
+    const bool        pushes = carries_force(contact_pair);
+    ContactDepth<dim> now =
       largest_depth(contact_pair, solution, /*as_drawn=*/!pushes);
     now.depth -= clearance(contact_pair);
     if (now.depth <= 0)
       return;
+    const double of_obstacle =
+      contact_pair.obstacle ? contact_pair.obstacle->way(now.X).norm() : 0.;
+    if (pushes && of_obstacle == 0)
+      now.depth -= std::max(
+        0.,
+        largest_depth(contact_pair, u_start.zero(), /*as_drawn=*/false).depth -
+          clearance(contact_pair));
     // The way until the surfaces touched says nothing of the forces; the bodies
     // may not have deformed yet before the end of a run.
-    double     way = 0, deformed = 0, of_bodies = 0;
-    const auto fits    = fit_rigid_motions(discretization, solution);
+    double     way = of_obstacle, deformed = 0;
+    const auto along =
+      largest_deformations(discretization,
+                           fit_rigid_motions(discretization, solution),
+                           solution,
+                           now.normal);
     const auto look_at = [&](const Surface<dim> &surface) {
       for (const SurfaceNode<dim> &node : surface.nodes)
         for (const auto dof : node.dofs)
           way = std::max(way, std::abs(solution[dof]));
-      deformed =
-        std::max(deformed, largest_deformation(surface, fits, solution));
       for (const SurfaceFacet<dim> &facet : surface.facets)
-        of_bodies =
-          std::max(of_bodies, fits.at(facet.body).largest_deformation);
+        deformed = std::max(deformed, along.at(facet.body));
     };
     look_at(contact_pair.slave);
     if (contact_pair.master)
       look_at(*contact_pair.master);
-    const double of_obstacle =
-      contact_pair.obstacle ? contact_pair.obstacle->way(now.X).norm() : 0.;
-    way = std::max(way, of_obstacle);
     // No less than the digits of a mesh file resolve.
     const auto half = [&](const double of) {
       return std::max(0.5 * of,
                       1e-9 *
                         contact_pair.slave.reference_length(now.slave_facet));
     };
-    const double overlap =
-      pushes && of_obstacle == 0
-        ? std::max(0.,
-                   largest_depth(contact_pair, none, /*as_drawn=*/false).depth -
-                     clearance(contact_pair))
-        : 0.;
-    const double depth = now.depth - overlap;
     // Where forces act, surfaces overlap by what the mesh does not resolve: a
-    // part of what the bodies have approached each other by, which forces
-    // deform them by. Beyond half of that, forces may be off by a factor.
-    const bool   acts  = carries_force(contact_pair, now.slave_facet);
-    const double scale = acts ? of_bodies : std::min(way, deformed);
-    if (depth <= half(scale))
+    // part of what the bodies have approached each other by along the way out,
+    // which forces deform them by. Beyond half of that, forces may be off by a
+    // factor.
+    if (now.depth <= half(deformed))
       return;
     const std::string what =
       std::string("the place of the ") +
       std::string(now.of_master ? "master" : "slave") + " at X = (" +
       brief(now.X) + ") mm is " + brief(now.depth) + " mm inside of the " +
       (contact_pair.obstacle ? "obstacle" : "other body") +
-      (acts ? ", of bodies that deform by " + brief(of_bodies) +
-                " mm: forces may be off by a factor"
-            : ", of surfaces that move by " + brief(way) +
-                (depth > half(way) ? " mm"
-                                   : " mm, of which bodies deform by " +
-                                       brief(deformed) + " mm") +
-                ", and no force acts there");
+      ", of bodies whose deformation brings them closer by " + brief(deformed) +
+      " mm" +
+      (carries_force(contact_pair, now.slave_facet)
+         ? ": forces may be off by a factor"
+         : ", and no force acts there");
     const std::string advice =
       !pushes && contact_pair.master
         ? "The meshes do not resolve it: refine the slave, or exchange it with "
@@ -208,8 +202,8 @@ namespace Contact
         ? "The slave's edges are too long to see a corner of the "
           "master: exchange slave and master, or refine the slave."
         : "No contact point looks there: refine the mesh.";
-    if (ends_run || depth > half(way))
-      found.check("depth", depth, half(scale), what, advice);
+    if (ends_run || now.depth > half(way))
+      found.check("depth", now.depth, half(deformed), what, advice);
     else
       found.notes.push_back("depth: " + what + ". " + advice);
   }

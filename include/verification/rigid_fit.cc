@@ -87,16 +87,32 @@ namespace Contact
             fit.R = project_onto_orthogonal_tensors(correlations[body]);
           }
       }
-    for_corners(discretization, u, [&](const auto body, auto &X, auto &way) {
-      fits[body].largest_deformation =
-        std::max(fits[body].largest_deformation,
-                 fits[body].deformation(X, way).norm());
-    });
-    for (auto &[body, fit] : fits)
-      fit.largest_deformation =
-        Utilities::MPI::max(fit.largest_deformation, communicator);
     return fits;
   }
+
+
+
+  template<int dim>
+  std::map<types::material_id, double>
+  largest_deformations(const Discretization<dim> &discretization,
+                       const RigidFits<dim>      &fits,
+                       const GhostedVector       &u,
+                       const Tensor<1, dim>      &direction)
+  {
+    std::map<types::material_id, double> largest;
+    for (const auto &[body, fit] : fits)
+      largest[body] = 0;
+    for_corners(discretization, u, [&](const auto body, auto &X, auto &way) {
+      largest[body] =
+        std::max(largest[body],
+                 std::abs(fits.at(body).deformation(X, way) * direction));
+    });
+    for (auto &[body, of_body] : largest)
+      of_body = Utilities::MPI::max(of_body, discretization.communicator);
+    return largest;
+  }
+
+
 
   template<int dim>
   double largest_deformation(const Surface<dim>   &surface,
@@ -121,10 +137,20 @@ namespace Contact
                                           const GhostedVector &);
   template RigidFits<3> fit_rigid_motions(const Discretization<3> &,
                                           const GhostedVector &);
-  template double       largest_deformation(const Surface<2> &,
-                                            const RigidFits<2> &,
-                                            const GhostedVector &);
-  template double       largest_deformation(const Surface<3> &,
-                                            const RigidFits<3> &,
-                                            const GhostedVector &);
+  template std::map<types::material_id, double>
+  largest_deformations(const Discretization<2> &,
+                       const RigidFits<2> &,
+                       const GhostedVector &,
+                       const Tensor<1, 2> &);
+  template std::map<types::material_id, double>
+                  largest_deformations(const Discretization<3> &,
+                                       const RigidFits<3> &,
+                                       const GhostedVector &,
+                                       const Tensor<1, 3> &);
+  template double largest_deformation(const Surface<2> &,
+                                      const RigidFits<2> &,
+                                      const GhostedVector &);
+  template double largest_deformation(const Surface<3> &,
+                                      const RigidFits<3> &,
+                                      const GhostedVector &);
 } // namespace Contact

@@ -24,9 +24,6 @@ namespace Contact
     Tensor<1, dim> centre_X, centre;
     Tensor<2, dim> R = unit_symmetric_tensor<dim>();
 
-    /// The largest deformation of a corner of a cell [mm].
-    double largest_deformation = 0;
-
     /// What is left of the displacement @p u at @p X [mm].
     Tensor<1, dim> deformation(const Point<dim>     &X,
                                const Tensor<1, dim> &u) const
@@ -42,6 +39,15 @@ namespace Contact
   template<int dim>
   RigidFits<dim> fit_rigid_motions(const Discretization<dim> &discretization,
                                    const GhostedVector       &u);
+
+  /// The largest deformation of each body along +-@p direction, a unit vector,
+  /// at the corners of its cells [mm]. Collective.
+  template<int dim>
+  std::map<types::material_id, double>
+  largest_deformations(const Discretization<dim> &discretization,
+                       const RigidFits<dim>      &fits,
+                       const GhostedVector       &u,
+                       const Tensor<1, dim>      &direction);
 
   /// The largest deformation of a surface by the displacement @p u [mm].
   template<int dim>

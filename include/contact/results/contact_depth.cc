@@ -79,59 +79,109 @@ namespace Contact
 
 
 
-    /// The deepest place of @p surface. Each process looks at its share of the
-    /// facets. A place further behind the other surface than its facet is long,
-    /// or than the surfaces have moved, has come there around it.
+    /// Whether the closest place of a surface is on a side where it ends.
+    template<int dim>
+    bool is_at_end(const Surface<dim> &surface, const Projection<dim> &closest)
+    {
+      const SurfaceFacet<dim> &facet = surface.facets[closest.facet];
+      for (unsigned int s = 0; s < facet.n_sides; ++s)
+        if (facet.ends_surface(s) &&
+            (s % 2 == 0 ? -1 : 1) * coordinate(closest.xi, s / 2) >= 1)
+          return true;
+      return false;
+    }
+
+
+
+    /// The depth of a place behind the closest place of the boundary of a body:
+    /// at a convex edge it is behind all facets that meet there. Zero outside.
+    template<int dim>
+    double depth_behind(const DeformedSurface<dim> &boundary,
+                        const Projection<dim>      &closest,
+                        const Point<dim>           &x)
+    {
+      const auto is_behind = [&](const auto facet, const auto &xi) {
+        return (x - boundary.position(facet, xi)) * boundary.normal(facet, xi) <
+               0;
+      };
+      const bool is_inside =
+        !is_at_end(boundary.surface, closest) &&
+        is_behind(closest.facet, closest.xi) &&
+        std::all_of(closest.twins.begin(),
+                    closest.twins.end(),
+                    [&](const auto &twin) {
+                      return is_behind(twin.first, twin.second);
+                    });
+      return is_inside
+               ? x.distance(boundary.position(closest.facet, closest.xi))
+               : 0;
+    }
+
+
+
+    /// The deepest place of a surface inside of the other body. Each process
+    /// looks at its share of the facets. A place deeper than @p way has not
+    /// come there from outside: it is of the same body.
     template<int dim>
     void look(const DeformedSurface<dim> &own,
-              const DeformedSurface<dim> &facing,
-              const bool                  is_master,
+              const DeformedSurface<dim> &boundary,
+              const DeformedSurface<dim> &slave,
               const MPI_Comm              communicator,
-              const BodyOverlap<dim>     &bodies,
               const double                way,
               const bool                  as_drawn,
               ContactDepth<dim>          &deepest)
     {
-      const Surface<dim>        &surface = own.surface, &other = facing.surface;
-      const DeformedSurface<dim> drawn(surface, {}), other_drawn(other, {});
-      const auto of_own = sagittas(drawn), of_other = sagittas(other_drawn);
-      double     longest = 0;
-      for (unsigned int f = 0; f < other.facets.size(); ++f)
-        longest = std::max(longest, other.reference_length(f));
-      const auto is_close = facing.may_be_close(own, longest);
-      const auto places   = places_of_facet<dim>(/*with_nodes=*/true);
+      const bool                 is_master = &own != &slave;
+      const DeformedSurface<dim> drawn(own.surface, {}),
+        boundary_drawn(boundary.surface, {});
+      const auto of_own = sagittas(drawn), of_other = sagittas(boundary_drawn);
+      const BoundingBox<dim> box(boundary.positions);
+      const auto             places = places_of_facet<dim>(/*with_nodes=*/true);
       for (const unsigned int e :
            Utilities::MPI::create_evenly_distributed_partitioning(
              communicator,
-             surface.facets.size()))
+             own.surface.facets.size()))
         for (const FacetPoint<dim> &xi : places)
           {
-            if (!is_close[e])
-              break;
             const Point<dim> x = own.position(e, xi);
-            NormalCone<dim>  directions{{own.normal(e, xi)}};
-            directions.reach   = 0;
-            directions.overlap = [&](const auto &a, const auto &b) {
-              return bodies.is_between(a, is_master, b);
-            };
-            const auto projection = facing.closest_facing(x, directions);
-            const unsigned int f  = projection.facet;
-            if (projection.beyond_end || projection.clipped ||
-                largest_coordinate(projection.xi) > 1)
+            if (!box.point_inside(x))
               continue;
-            const double behind = -((x - facing.position(f, projection.xi)) *
-                                    facing.normal(f, projection.xi));
-            if (behind <= 0 ||
-                behind >= std::min(way, other.reference_length(f)))
-              continue;
-            const double depth =
+            const auto         closest = boundary.closest_point(x);
+            const unsigned int f       = closest.facet;
+            const double       behind  = depth_behind(boundary, closest, x);
+            const double       depth =
               as_drawn ? behind : behind - of_own[e] - of_other[f];
-            if (depth > deepest.depth)
+            if (depth > deepest.depth && behind < way)
               deepest = {depth,
                          is_master,
                          drawn.position(e, xi),
-                         is_master ? f : e};
+                         is_master ? slave.closest_alone(x).facet : e,
+                         (boundary.position(f, closest.xi) - x) / behind};
           }
+    }
+
+
+
+    /// The positions of the nodes of the boundary of a body under the
+    /// displacement @p u, put together from what each process owns. Collective.
+    template<int dim>
+    std::vector<Point<dim>> gather_positions(const Surface<dim>  &boundary,
+                                             const GhostedVector &u,
+                                             const Discretization<dim> &of)
+    {
+      std::vector<double> ways;
+      for (const SurfaceNode<dim> &node : boundary.nodes)
+        for (const auto dof : node.dofs)
+          ways.push_back(of.distribution->in_local_range(dof) ? u[dof] : 0.);
+      Utilities::MPI::sum(ways, of.communicator, ways);
+      std::vector<Point<dim>> positions;
+      for (unsigned int i = 0; i < boundary.nodes.size(); ++i)
+        {
+          positions.push_back(boundary.nodes[i].X);
+          for (unsigned int c = 0; c < dim; ++c)
+            positions.back()[c] += ways[i * dim + c];
+        }
+      return positions;
     }
 
 
@@ -174,7 +224,11 @@ namespace Contact
             const double behind = (closest.x - x) * closest.normal;
             const double depth  = as_drawn ? behind : behind - chord;
             if (depth > deepest.depth)
-              deepest = {depth, false, drawn.position(e, xi), e};
+              deepest = {depth,
+                         false,
+                         drawn.position(e, xi),
+                         e,
+                         closest.normal};
           }
     }
 
@@ -184,21 +238,26 @@ namespace Contact
     template<int dim>
     void compare(const MPI_Comm communicator, ContactDepth<dim> &deepest)
     {
-      std::array<double, 3 + dim> own{
+      std::array<double, 3 + 2 * dim> own{
         {deepest.depth,
          static_cast<double>(deepest.of_master),
          static_cast<double>(deepest.slave_facet)}};
       for (unsigned int i = 0; i < dim; ++i)
-        own[3 + i] = deepest.X[i];
+        {
+          own[3 + i]       = deepest.X[i];
+          own[3 + dim + i] = deepest.normal[i];
+        }
       for (const auto &of : Utilities::MPI::all_gather(communicator, own))
         if (of[0] > deepest.depth)
           {
-            deepest = {of[0],
-                       of[1] > 0,
-                       Point<dim>(),
-                       static_cast<unsigned int>(of[2])};
+            deepest.depth       = of[0];
+            deepest.of_master   = of[1] > 0;
+            deepest.slave_facet = static_cast<unsigned int>(of[2]);
             for (unsigned int i = 0; i < dim; ++i)
-              deepest.X[i] = of[3 + i];
+              {
+                deepest.X[i]      = of[3 + i];
+                deepest.normal[i] = of[3 + dim + i];
+              }
           }
     }
   } // namespace
@@ -216,19 +275,27 @@ namespace Contact
       {
         const DeformedSurface<dim> slave(contact_pair.slave, u),
           master(*contact_pair.master, u);
-        const BodyOverlap<dim> bodies(contact_pair.surfaces_of_bodies, u);
-        const double way = as_drawn ? std::numeric_limits<double>::max()
-                                    : largest_way(slave) + largest_way(master) +
+        const double way     = as_drawn ? std::numeric_limits<double>::max()
+                                        : largest_way(slave) + largest_way(master) +
                                         contact_pair.interference->at_start;
-        look(slave,
-             master,
-             false,
-             communicator,
-             bodies,
-             way,
-             as_drawn,
-             deepest);
-        look(master, slave, true, communicator, bodies, way, as_drawn, deepest);
+        const auto   part_of = [](const DeformedSurface<dim> &of) {
+          return of.surface.facets[0].part;
+        };
+        const bool is_one_body = part_of(slave) == part_of(master);
+        const auto look_from   = [&](const auto &own, const auto &other) {
+          const auto look_at = [&](const DeformedSurface<dim> &boundary) {
+            look(own, boundary, slave, communicator, way, as_drawn, deepest);
+          };
+          if (is_one_body)
+            return look_at(other);
+          const auto        &discretization = contact_pair.discretization;
+          const Surface<dim> boundary(discretization, part_of(other));
+          look_at({boundary,
+                   gather_positions(boundary, u, discretization),
+                   /*overhang=*/0.});
+        };
+        look_from(slave, master);
+        look_from(master, slave);
         compare(communicator, deepest);
       }
     else

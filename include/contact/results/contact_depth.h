@@ -17,10 +17,11 @@ namespace Contact
   template<int dim>
   struct ContactDepth
   {
-    double       depth     = 0; // [mm]
-    bool         of_master = false;
-    Point<dim>   X;               // the undeformed place [mm]
-    unsigned int slave_facet = 0; // that it is in, or belongs to
+    double         depth     = 0; // [mm]
+    bool           of_master = false;
+    Point<dim>     X;               // the undeformed place [mm]
+    unsigned int   slave_facet = 0; // that it is in, or belongs to
+    Tensor<1, dim> normal;          // the shortest way out
   };
 
   /**

@@ -38,6 +38,19 @@ namespace Contact
 
 
   template<int dim>
+  DeformedSurface<dim>::DeformedSurface(
+    const Surface<dim>            &surface,
+    const std::vector<Point<dim>> &positions,
+    const double                   overhang)
+    : surface(surface)
+    , positions(positions)
+    , beyond_ends(overhang)
+  {
+  }
+
+
+
+  template<int dim>
   DeformedSurface<dim>::DeformedSurface(const Surface<dim>  &surface,
                                         const GhostedVector &u,
                                         const double         overhang)

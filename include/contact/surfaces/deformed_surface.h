@@ -56,6 +56,11 @@ namespace Contact
                     const GhostedVector &u,
                     const double         overhang = DeformedSurface::overhang);
 
+    /// With its nodes at @p positions.
+    DeformedSurface(const Surface<dim>            &surface,
+                    const std::vector<Point<dim>> &positions,
+                    const double                   overhang);
+
     const Surface<dim> &surface;
 
     /// Of the nodes [mm].

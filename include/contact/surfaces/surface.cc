@@ -41,11 +41,26 @@ namespace Contact
 
 
 
+  template<int dim>
+  Surface<dim>::Surface(const Discretization<dim> &discretization,
+                        const unsigned int         part)
+    : degree(discretization.degree)
+    , discretization(discretization)
+  {
+    const auto ids = discretization.mesh.triangulation.get_boundary_ids();
+    collect_facets({ids.begin(), ids.end()}, part);
+    arrange();
+    find_parted();
+  }
+
+
+
   // Every rank collects the facets of its own cells; put together, all have the
   // whole surface.
   template<int dim>
   void
-  Surface<dim>::collect_facets(const std::set<types::boundary_id> &boundary_ids)
+  Surface<dim>::collect_facets(const std::set<types::boundary_id> &boundary_ids,
+                               const std::optional<unsigned int>   part)
   {
     std::map<types::global_dof_index, unsigned int> node_of_dof;
     const auto                                      all_facets =
@@ -54,6 +69,8 @@ namespace Contact
     for (const auto &of_rank : all_facets)
       for (const LooseFacet<dim> &loose : of_rank)
         {
+          if (part && loose.part != *part)
+            continue;
           SurfaceFacet<dim> facet;
           facet.body   = loose.body;
           facet.part   = loose.part;
@@ -75,7 +92,9 @@ namespace Contact
     parents.resize(nodes.size());
     for (const auto &of_rank : all_facets)
       for (const LooseFacet<dim> &loose : of_rank)
-        for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+        for (unsigned int a = 0;
+             a < n_nodes_per_facet() && (!part || loose.part == *part);
+             ++a)
           if (auto &of_node = parents[node_of_dof.at(loose.nodes[a].dofs[0])];
               of_node.empty())
             for (const auto &[dof, part] : loose.parents[a])

@@ -8,6 +8,7 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <optional>
 #include <set>
 #include <string>
 
@@ -162,6 +163,9 @@ namespace Contact
             const std::string                  &name,
             const SurfaceCut                    cut = SurfaceCut::none);
 
+    /// The whole boundary of a connected part of the mesh.
+    Surface(const Discretization<dim> &discretization, const unsigned int part);
+
     /// Those of the discretization.
     Counters &counters() const
     {
@@ -255,7 +259,8 @@ namespace Contact
     std::vector<double> arc_length(const std::vector<Point<2>> &x) const;
 
   private:
-    void collect_facets(const std::set<types::boundary_id> &boundary_ids);
+    void collect_facets(const std::set<types::boundary_id> &boundary_ids,
+                        const std::optional<unsigned int>   part = {});
 
     /// The order of the facets, how they hang together, and the corners: what
     /// differs between the plane (surface_chain.cc) and space
