@@ -13,7 +13,8 @@ namespace Contact
 {
   namespace
   {
-    /// Tell contact pairs the surfaces of others on the same bodies.
+    /// Tell contact pairs the surfaces of others on the same bodies, and the
+    /// boundaries of these.
     template<int dim>
     void find_bodies(const std::vector<ContactPair<dim> *> &of_pairs)
     {
@@ -32,11 +33,25 @@ namespace Contact
                                return overlap(*surface, *other);
                              }))
               there.push_back(surface);
+      std::map<unsigned int, std::shared_ptr<const Surface<dim>>> boundaries;
       for (ContactPair<dim> *const contact_pair : of_pairs)
         if (contact_pair->master)
-          contact_pair->surfaces_of_bodies = {
-            {of_part[part(contact_pair->slave)],
-             of_part[part(*contact_pair->master)]}};
+          {
+            const std::array<unsigned int, 2> parts{
+              {part(contact_pair->slave), part(*contact_pair->master)}};
+            for (const unsigned int k : {0, 1})
+              {
+                contact_pair->surfaces_of_bodies[k] = of_part[parts[k]];
+                if (contact_pair->tied || parts[0] == parts[1])
+                  continue;
+                auto &boundary = boundaries[parts[k]];
+                if (!boundary)
+                  boundary = std::make_shared<const Surface<dim>>(
+                    contact_pair->discretization,
+                    parts[k]);
+                contact_pair->boundaries[k] = boundary;
+              }
+          }
     }
   } // namespace
 

@@ -105,6 +105,10 @@ namespace Contact
     /// The surfaces of all contact pairs on the bodies of slave and master.
     typename BodyOverlap<dim>::Surfaces surfaces_of_bodies;
 
+    /// The whole boundaries of the bodies of slave and master; none of those
+    /// that are one.
+    std::array<std::shared_ptr<const Surface<dim>>, 2> boundaries;
+
     /// Their place among the points of all contact pairs.
     unsigned int first_point = 0, n_points = 0;
 

@@ -275,27 +275,23 @@ namespace Contact
       {
         const DeformedSurface<dim> slave(contact_pair.slave, u),
           master(*contact_pair.master, u);
-        const double way     = as_drawn ? std::numeric_limits<double>::max()
-                                        : largest_way(slave) + largest_way(master) +
+        const double way = as_drawn ? std::numeric_limits<double>::max()
+                                    : largest_way(slave) + largest_way(master) +
                                         contact_pair.interference->at_start;
-        const auto   part_of = [](const DeformedSurface<dim> &of) {
-          return of.surface.facets[0].part;
-        };
-        const bool is_one_body = part_of(slave) == part_of(master);
-        const auto look_from   = [&](const auto &own, const auto &other) {
-          const auto look_at = [&](const DeformedSurface<dim> &boundary) {
-            look(own, boundary, slave, communicator, way, as_drawn, deepest);
+        const auto   look_from =
+          [&](const auto &own, const auto &other, const auto &whole) {
+            const auto look_at = [&](const DeformedSurface<dim> &boundary) {
+              look(own, boundary, slave, communicator, way, as_drawn, deepest);
+            };
+            if (whole)
+              look_at({*whole,
+                       gather_positions(*whole, u, contact_pair.discretization),
+                       /*overhang=*/0.});
+            else
+              look_at(other);
           };
-          if (is_one_body)
-            return look_at(other);
-          const auto        &discretization = contact_pair.discretization;
-          const Surface<dim> boundary(discretization, part_of(other));
-          look_at({boundary,
-                   gather_positions(boundary, u, discretization),
-                   /*overhang=*/0.});
-        };
-        look_from(slave, master);
-        look_from(master, slave);
+        look_from(slave, master, contact_pair.boundaries[1]);
+        look_from(master, slave, contact_pair.boundaries[0]);
         compare(communicator, deepest);
       }
     else

@@ -154,7 +154,8 @@ namespace Contact
   template<int dim>
   std::vector<LooseFacet<dim>>
   loose_facets(const Discretization<dim>          &discretization,
-               const std::set<types::boundary_id> &boundary_ids)
+               const std::set<types::boundary_id> &boundary_ids,
+               const std::optional<unsigned int>   part)
   {
     const auto parts = connected_parts(discretization.mesh.triangulation);
     AffineConstraints<double> hanging;
@@ -164,24 +165,31 @@ namespace Contact
     hanging.close();
     std::vector<LooseFacet<dim>> own;
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-      for (const unsigned int f : cell->face_indices())
-        {
-          const auto face = cell->face(f);
-          if (!cell->is_locally_owned() || !face->at_boundary() ||
-              boundary_ids.count(face->boundary_id()) == 0)
-            continue;
-
-          own.push_back(make_loose_facet<dim>(discretization, cell, f));
-          find_leaders(hanging, own.back());
-          own.back().part =
-            parts[coarse_cell<typename Triangulation<dim>::cell_iterator>(
-              cell)];
-        }
+      {
+        if (!cell->is_locally_owned() || !cell->at_boundary())
+          continue;
+        const unsigned int of_cell =
+          parts[coarse_cell<typename Triangulation<dim>::cell_iterator>(cell)];
+        if (part && of_cell != *part)
+          continue;
+        for (const unsigned int f : cell->face_indices())
+          if (cell->at_boundary(f) &&
+              boundary_ids.count(cell->face(f)->boundary_id()) > 0)
+            {
+              own.push_back(make_loose_facet<dim>(discretization, cell, f));
+              find_leaders(hanging, own.back());
+              own.back().part = of_cell;
+            }
+      }
     return own;
   }
 
   template std::vector<LooseFacet<2>>
-  loose_facets(const Discretization<2> &, const std::set<types::boundary_id> &);
+  loose_facets(const Discretization<2> &,
+               const std::set<types::boundary_id> &,
+               const std::optional<unsigned int>);
   template std::vector<LooseFacet<3>>
-  loose_facets(const Discretization<3> &, const std::set<types::boundary_id> &);
+  loose_facets(const Discretization<3> &,
+               const std::set<types::boundary_id> &,
+               const std::optional<unsigned int>);
 } // namespace Contact

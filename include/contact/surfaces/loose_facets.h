@@ -7,6 +7,7 @@
 #define contact_loose_facets_h
 
 #include <boost/serialization/utility.hpp>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -49,11 +50,13 @@ namespace Contact
     }
   };
 
-  /// The faces of the own cells on these boundaries.
+  /// The faces of the own cells on these boundaries, or on those of one part of
+  /// the mesh.
   template<int dim>
   std::vector<LooseFacet<dim>>
   loose_facets(const Discretization<dim>          &discretization,
-               const std::set<types::boundary_id> &boundary_ids);
+               const std::set<types::boundary_id> &boundary_ids,
+               const std::optional<unsigned int>   part);
 } // namespace Contact
 
 #endif

@@ -63,14 +63,12 @@ namespace Contact
                                const std::optional<unsigned int>   part)
   {
     std::map<types::global_dof_index, unsigned int> node_of_dof;
-    const auto                                      all_facets =
-      Utilities::MPI::all_gather(discretization.communicator,
-                                 loose_facets(discretization, boundary_ids));
+    const auto all_facets = Utilities::MPI::all_gather(
+      discretization.communicator,
+      loose_facets(discretization, boundary_ids, part));
     for (const auto &of_rank : all_facets)
       for (const LooseFacet<dim> &loose : of_rank)
         {
-          if (part && loose.part != *part)
-            continue;
           SurfaceFacet<dim> facet;
           facet.body   = loose.body;
           facet.part   = loose.part;
@@ -92,9 +90,7 @@ namespace Contact
     parents.resize(nodes.size());
     for (const auto &of_rank : all_facets)
       for (const LooseFacet<dim> &loose : of_rank)
-        for (unsigned int a = 0;
-             a < n_nodes_per_facet() && (!part || loose.part == *part);
-             ++a)
+        for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
           if (auto &of_node = parents[node_of_dof.at(loose.nodes[a].dofs[0])];
               of_node.empty())
             for (const auto &[dof, part] : loose.parents[a])
