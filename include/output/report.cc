@@ -15,6 +15,7 @@
 #include "output/accuracy.h"
 #include "output/effects.h"
 #include "output/estimated_effects.h"
+#include "output/history.h"
 #include "output/result_notes.h"
 #include "output/result_tables.h"
 #include "output/scene_notes.h"
@@ -310,6 +311,17 @@ namespace Contact
   {
     result_files->write_first("summary.json", [this](std::ostream &out) {
       Contact::write_summary(summary, out);
+    });
+    const auto unit = [&](const Parameters::Quantity quantity) {
+      return unit_of(quantity, parameters.solids.symmetry, dim == 3);
+    };
+    HistoryUnits units{unit(Parameters::Quantity::reaction_x),
+                       unit(Parameters::Quantity::strain_energy),
+                       {}};
+    for (const auto &[name, definition] : parameters.probes.definitions())
+      units.probes[name] = unit(definition.quantity);
+    result_files->write_first("history.csv", [&](std::ostream &out) {
+      write_history(summary, units, out);
     });
   }
 
