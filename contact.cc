@@ -155,7 +155,6 @@ namespace Contact
     // Newton's method.
     void solve_newton();
     void check_stability();
-    void note_open_stability();
     void note_jump();
 
     // The effects, estimated in the last state.
@@ -189,8 +188,7 @@ namespace Contact
     // Of the increments on the present mesh, for the effects.
     StressPeaks<dim> stress_peaks;
 
-    bool is_smallest_step        = false; // of the load
-    bool open_stability_is_noted = false;
+    bool is_smallest_step = false; // of the load
   };
 
 
@@ -243,8 +241,7 @@ namespace Contact
         estimate_effects();
         summary.converged = true;
         summary.message.clear();
-        if (!summary.accuracy_missed.empty())
-          report.print_error(": " + summary.accuracy_missed);
+        report.tell({{summary.accuracy_missed}});
       }
     catch (const NotConverged &failure)
       {
@@ -272,8 +269,6 @@ namespace Contact
         end_all_ranks(report.communicator, error);
         throw;
       }
-    if (!summary.converged)
-      report.screen << summary.message << std::endl;
     // Also of a scene that cannot be set up.
     if (!report.has_files())
       report.open_files(*model.discretization);
@@ -834,7 +829,7 @@ namespace Contact
           }
         if (is_accepted && !system->tangent_is_indefinite(state, is_judged))
           {
-            note_open_stability();
+            report.tell({{system->open_stability()}});
             return;
           }
         if (is_accepted && is_checked)
@@ -886,21 +881,7 @@ namespace Contact
   {
     if (system->tangent_is_indefinite(state, levels.may_be_last()))
       throw NotConverged(lost_stability);
-    note_open_stability();
-  }
-
-
-
-  // @sect4{ContactProblem::note_open_stability}
-  //
-  // Once in a run.
-  template<int dim>
-  void ContactProblem<dim>::note_open_stability()
-  {
-    const std::string what = system->open_stability();
-    if (!what.empty() && !open_stability_is_noted)
-      report.print_error(": note: " + what);
-    open_stability_is_noted = open_stability_is_noted || !what.empty();
+    report.tell({{system->open_stability()}});
   }
 
 
@@ -916,13 +897,13 @@ namespace Contact
   {
     const double largest_leap = 5;
     if (const double leap = newton.leap(); leap > largest_leap)
-      report.print_error(
-        ": note: up to the load factor " + brief(state.load_factor) +
-        " the bodies move " + brief(leap) +
-        " times as far as the tangent of the increment's start says: they may "
-        "have snapped through, or found another support. The way there is not "
-        "one of equilibrium. More increments show where it begins; prescribe "
-        "the displacement instead of the force to follow it");
+      report.tell(
+        {{"up to the load factor " + brief(state.load_factor) +
+          " the bodies move " + brief(leap) +
+          " times as far as the tangent of the increment's start says: they may "
+          "have snapped through, or found another support. The way there is not "
+          "one of equilibrium. More increments show where it begins; prescribe "
+          "the displacement instead of the force to follow it"}});
   }
 
 
@@ -953,9 +934,8 @@ namespace Contact
           }
         catch (const NotConverged &failure)
           {
-            report.print_error(
-              std::string(": note: effects cannot be estimated: ") +
-              failure.what());
+            report.tell({{std::string("effects cannot be estimated: ") +
+                          failure.what()}});
           }
       }
   }
@@ -1039,9 +1019,7 @@ namespace Contact
     report.increment().round_off_force =
       1e3 * std::numeric_limits<double>::epsilon() *
       newton.convergence.force_scale();
-    if (const std::string note = pairing.note(found.moment_imbalance);
-        !note.empty())
-      found.notes.push_back(note);
+    found.findings.push_back({pairing.note(found.moment_imbalance)});
     report.record(found);
   }
 } // namespace Contact

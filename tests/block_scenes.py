@@ -102,6 +102,12 @@ def run(name, entries, ranks=1):
             json.loads(summary.read_text()) if summary.exists() else {})
 
 
+def violations(summary):
+    """The invariants that are violated, each in a sentence."""
+    return [f["text"] for f in summary.get("findings", [])
+            if f["severity"] == "violated"]
+
+
 def rows(name, file="profile.csv"):
     with open(f"output/{name}/{file}", encoding="utf-8") as lines:
         return [{k: v if k in ("surface", "body") else float(v or "nan")

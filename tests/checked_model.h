@@ -97,9 +97,9 @@ namespace Tests
     std::string alarms()
     {
       std::string names;
-      for (const std::string &violation : check().violations)
+      for (const Finding &finding : check().findings)
         names += (names.empty() ? "" : ", ") +
-                 violation.substr(0, violation.find(':'));
+                 finding.text.substr(0, finding.text.find(':'));
       return names.empty() ? "none" : names;
     }
 

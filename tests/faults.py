@@ -99,8 +99,8 @@ stays(1, "faults/stack", 0.2)
 # Edges of the slave as long as the block on it: a third of the force, and told.
 flies = Result("flies_away")
 check("1 flies_away: a depth is violated, and nothing else",
-      flies.status == 1 and all(v.startswith("depth") for i in flies.increments
-                                for v in i["violations"]), flies.said[:200])
+      flies.status == 1 and flies.said.count("violated: ") ==
+      flies.said.count("violated: depth"), flies.said[:200])
 check("  nothing flies away", flies.largest_displacement() < 1,
       f"{flies.largest_displacement():.3g} mm")
 

@@ -30,8 +30,8 @@ namespace
       {
         converged              = converged && model.solve(k / 8.);
         const Invariants found = model.check();
-        for (const std::string &violation : found.violations)
-          alarms += "\n    " + std::to_string(k) + ": " + violation;
+        for (const Finding &finding : found.findings)
+          alarms += "\n    " + std::to_string(k) + ": " + finding.text;
         const StatusCount count = model.interface.active_set.count();
         stick += count.stick;
         slip += count.active - count.stick;

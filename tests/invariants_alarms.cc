@@ -199,8 +199,8 @@ namespace
                                                    &holds);
     // Springs that carry so much are an alarm of their own, and no other is.
     const auto only_stabilization = [](const Invariants &found) {
-      return found.violations.size() == 1 &&
-             found.violations[0].find("stabilization") != std::string::npos;
+      return found.findings.size() == 1 &&
+             found.findings[0].text.find("stabilization") != std::string::npos;
     };
     check("no alarm but what they carry", only_stabilization(held));
     check("they work", std::abs(held.stabilization_work) > 1e-3);
@@ -224,7 +224,7 @@ namespace
                      model.tolerance,
                      model.force,
                      &holds)
-              .violations.size() > 1);
+              .findings.size() > 1);
   }
 } // namespace
 

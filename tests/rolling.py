@@ -27,7 +27,7 @@ Usage: rolling.py CONTACT PARAMETERS MESHES
 import math
 import sys
 
-from block_scenes import Mesh, check, failures, rows, run
+from block_scenes import Mesh, check, failures, rows, run, violations
 
 R, MU, MODULUS, RATIO = 200., 0.3, 1000., 0.499
 STIFFNESS = MODULUS / (1 - RATIO**2)
@@ -76,7 +76,7 @@ def roll():
         f"{TURNED}*max(0, min(1, 2*t/{start!r} - 1)))",
         "Solution/Increments": steps + pressing, "Output/Profile": "true"})
     check("rolling converges, and no invariant is violated", status == 0 and
-          not any(i["violations"] for i in summary["increments"]), said)
+          not violations(summary), said)
     zones = [i["contact"].get("", i["contact"]) for i in summary["increments"]]
     for k in range(pressing - 1, len(zones), len(zones) // 8):
         print(f"  way {summary['increments'][k]['load_factor']:.3f}, Q/(mu P)",

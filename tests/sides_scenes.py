@@ -7,7 +7,7 @@ import itertools
 import math
 import pathlib
 
-from block_scenes import rows, run
+from block_scenes import rows, run, violations
 
 INCREMENTS = 2
 FEATURE_ANGLE = 35  # degrees between the normals of two facets
@@ -275,8 +275,7 @@ class Result:
         self.said = said.strip() or \
             increments and increments[-1].get("message") or "nothing"
         self.steps = sum(i["newton_iterations"] for i in increments)
-        self.violated = {v.split(":")[0] for i in increments
-                         for v in i.get("violations", [])}
+        self.violated = {v.split(":")[0] for v in violations(summary)}
         self.forces, self.of_body, self.moments = {}, {}, {}
         if status not in (0, 1):
             return

@@ -9,7 +9,7 @@ import math
 
 import numpy
 
-from block_scenes import check
+from block_scenes import check, violations
 
 SURFACES = ("x0", "x1", "y0", "y1", "z0", "z1")
 AXES = "xyz"
@@ -21,10 +21,9 @@ def probes(summary):
 
 
 def converged(what, status, summary, said):
-    violations = [v for i in summary.get("increments", [])
-                  for v in i.get("violations", [])]
+    violated = violations(summary)
     check(f"{what}: converges, and no invariant is violated",
-          status == 0 and not violations, said if status else violations)
+          status == 0 and not violated, said if status else violated)
     return status == 0
 
 

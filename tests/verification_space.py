@@ -34,7 +34,7 @@ import sys
 import numpy as np
 
 import point_contact as theory
-from block_scenes import check, failures, rows, solve
+from block_scenes import check, failures, rows, solve, violations
 
 parser = argparse.ArgumentParser()
 parser.add_argument("contact")
@@ -62,11 +62,10 @@ def run(case, levels, *settings):
         "".join(f", degree {s[-1]}" for s in settings if "Degree" in s)
     status, said, summary = solve(cases / f"{case}.prm",
                                   f"Refinement/Levels={levels}", *settings)
-    violations = [v for i in summary.get("increments", [])
-                  for v in i.get("violations", [])]
+    violated = violations(summary)
     check(f"{name}: converges, and no invariant is violated",
-          status in (0, 1) and not violations,
-          violations or (said[-300:] if status > 1 else ""))
+          status in (0, 1) and not violated,
+          violated or (said[-300:] if status > 1 else ""))
     if status > 1:
         sys.exit(1)
     slave = [r for r in rows(case) if r["surface"] == "slave"]

@@ -132,10 +132,11 @@ namespace Contact
           if (other.converged)
             estimate(summary, other.probes);
           else if (!other.interrupted)
-            std::cerr << parameters.name
-                      << ": no error estimate, because the case '"
-                      << further.name
-                      << "' does not converge: " << other.message << std::endl;
+            tell({"no error estimate, because the case '" + further.name +
+                    "' does not converge: " + other.message,
+                  /*is_violated=*/false,
+                  parameters.name},
+                 summary.findings);
           write_on_first_rank(MPI_COMM_WORLD,
                               parameters.directory() / "summary.json",
                               [&](std::ostream &out) {

@@ -189,6 +189,7 @@ namespace Contact
     archive &convergence;
     archive &start;
     archive &report.summary.increments;
+    archive &report.summary.findings;
     archive &report.files();
     if (Archive::is_loading::value)
       {
@@ -211,7 +212,7 @@ namespace Contact
     if (!mesh_checksum)
       mesh_checksum = checksum(parameters.mesh.file);
     std::ostringstream key;
-    key << "contact restart 5, ranks "
+    key << "contact restart 6, ranks "
         << Utilities::MPI::n_mpi_processes(model.discretization->communicator)
         << ", unknowns " << state.solution.size() << ", mesh " << *mesh_checksum
         << '\n'

@@ -8,6 +8,7 @@
 #include "contact/interface/obstacle_forces.h"
 #include "model/rotated_tie.h"
 #include "output/body_results.h"
+#include "output/notes.h"
 #include "probes/probes.h"
 
 namespace Contact
@@ -157,7 +158,8 @@ namespace Contact
     if (is_last && model.interface)
       report.summary.contact = report.increment().contact;
     if (is_last)
-      report.print_notes_on_result(model, state.solution);
+      report.tell(
+        notes_on_result(model, parameters, state.solution, report.summary));
     const bool with_profile = is_last && output.profile;
     const bool with_nodes   = is_last && output.nodes;
     const bool with_bodies =

@@ -16,9 +16,8 @@
 #include "output/effects.h"
 #include "output/estimated_effects.h"
 #include "output/history.h"
-#include "output/result_notes.h"
+#include "output/notes.h"
 #include "output/result_tables.h"
-#include "output/scene_notes.h"
 #include "probes/force_probes.h"
 
 namespace Contact
@@ -39,6 +38,7 @@ namespace Contact
     summary.case_name = parameters.name;
     summary.mesh_file =
       std::filesystem::path(parameters.mesh.file).filename().string();
+    summary.findings = parameters.findings;
   }
 
 
@@ -136,20 +136,7 @@ namespace Contact
            << std::endl;
     if (screen.is_active())
       print_effects(screen.get_stream(), effects);
-    for (const std::string &note : notes_on_scene(model, parameters))
-      if (notes_on_this_scene.insert(note).second)
-        print_error(": note: " + note);
-  }
-
-
-
-  template<int dim>
-  void Report<dim>::print_notes_on_result(const ContactModel<dim> &model,
-                                          const GhostedVector     &solution)
-  {
-    for (const std::string &note :
-         notes_on_result(model, parameters, solution, summary))
-      print_error(": note: " + note);
+    tell(notes_on_scene(model, parameters));
   }
 
 
@@ -203,29 +190,27 @@ namespace Contact
     IncrementRecord &record = increment();
     record.invariants       = found.measures();
     record.works            = found.works();
-    record.violations       = found.violations;
     record.reactions        = found.reactions;
-
-    std::ostringstream where;
-    if (parameters.refinement.n_levels > 0)
-      where << ", level " << record.level;
-    where << ", load factor " << record.load_factor;
-    for (const std::string &note : found.notes)
-      print_error(where.str() + ": note: " + note);
-    for (const std::string &note :
-         notes_on_reactions(parameters.probes, record.probes, record.reactions))
-      print_error(where.str() + ": note: " + note);
-    for (const std::string &violation : found.violations)
-      print_error(where.str() + ": violated: " + violation);
+    tell(found.findings);
+    tell(
+      notes_on_reactions(parameters.probes, record.probes, record.reactions));
   }
 
 
 
   template<int dim>
-  void Report<dim>::print_error(const std::string &message) const
+  void Report<dim>::tell(const Findings &findings)
   {
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      std::cerr << parameters.name << message << std::endl;
+    const bool         has_begun = !summary.increments.empty();
+    const unsigned int level     = has_begun ? increment().level : 0;
+    std::string        where     = parameters.name;
+    if (has_begun && parameters.refinement.n_levels > 0)
+      where += ", level " + std::to_string(level);
+    if (has_begun)
+      where += ", load factor " + brief(increment().load_factor);
+    for (const Finding &finding : findings)
+      Contact::tell({finding.text, finding.is_violated, where, level},
+                    summary.findings);
   }
 
 
@@ -243,10 +228,7 @@ namespace Contact
       {
         const std::string last = describe(name, result, parameters.solids);
         if (gets_softer(result))
-          print_error(": note: " + last);
-        std::vector<std::string> texts;
-        if (!gets_softer(result))
-          texts.push_back(last);
+          tell({{last}});
         const IncrementRecord *farthest = &increment();
         for (const IncrementRecord &record : summary.increments)
           if (const auto found = record.bodies.find(name);
@@ -255,12 +237,13 @@ namespace Contact
               if (found->second.at(quantity) >
                   farthest->bodies.at(name).at(quantity))
                 farthest = &record;
-        texts.push_back(describe_earlier(name,
-                                         farthest->load_factor,
-                                         farthest->bodies.at(name),
-                                         increment().bodies.at(name),
-                                         parameters.solids));
-        for (const std::string &text : texts)
+        for (const std::string &text :
+             {gets_softer(result) ? "" : last,
+              describe_earlier(name,
+                               farthest->load_factor,
+                               farthest->bodies.at(name),
+                               increment().bodies.at(name),
+                               parameters.solids)})
           if (!text.empty())
             screen << text << std::endl;
       }
@@ -279,11 +262,9 @@ namespace Contact
     summary.strain_range = range;
     screen << "Largest strain " << range.strain << ", largest rotation "
            << range.rotation << " rad" << std::endl;
-    const std::string note = beyond_range(range,
-                                          parameters.solids.kinematics.all_are(
-                                            Parameters::Strains::small));
-    if (!note.empty())
-      print_error(": note: " + note);
+    tell({{beyond_range(range,
+                        parameters.solids.kinematics.all_are(
+                          Parameters::Strains::small))}});
   }
 
 
@@ -347,6 +328,11 @@ namespace Contact
     result_files->write_first("parameters.prm", [this](std::ostream &out) {
       out << used_parameters();
     });
+    if (summary.converged)
+      for (const std::string &probe : summary.levels.back().errors.at_corners)
+        tell({{"'" + probe +
+               "' is at a corner in contact, where stresses are singular: "
+               "its error can be ten times as large as estimated"}});
     summary.time     = phase_times(timer);
     summary.counters = discretization->counters.by_name();
     summary.peak_memory_mb =
@@ -357,11 +343,6 @@ namespace Contact
     if (summary.converged)
       result_files->remove("restart[0-9._]*bin");
 
-    if (summary.converged)
-      for (const std::string &probe : summary.levels.back().errors.at_corners)
-        print_error(": note: '" + probe +
-                    "' is at a corner in contact, where stresses are singular: "
-                    "its error can be ten times as large as estimated");
     if (screen.is_active())
       {
         print_levels(screen.get_stream(), summary);

@@ -11,7 +11,6 @@
 #include <deal.II/base/timer.h>
 
 #include <memory>
-#include <set>
 #include <string>
 
 #include "model/contact_model.h"
@@ -79,10 +78,6 @@ namespace Contact
     /// The effects that the scene switches on.
     void print_scene(const ContactModel<dim> &model, const std::string &system);
 
-    /// Doubts about the result of the last increment.
-    void print_notes_on_result(const ContactModel<dim> &model,
-                               const GhostedVector     &solution);
-
     void print_level(const ContactModel<dim> &model,
                      const unsigned int       level,
                      const std::string       &system);
@@ -96,8 +91,7 @@ namespace Contact
     /// A Newton step was halved, and the residuals of the parts.
     void record_halvings(const std::vector<double> &residuals);
 
-    /// The invariants of the present increment; notes and violations go to
-    /// the standard error.
+    /// The invariants of the present increment.
     void record(const Invariants &found);
 
     /// The distances of the bodies from the range of their materials, into the
@@ -114,8 +108,9 @@ namespace Contact
     void record(const std::vector<EffectEstimate>   &effects,
                 const std::map<std::string, double> &loop_errors);
 
-    /// A message on the standard error, once.
-    void print_error(const std::string &message) const;
+    /// Findings on the present increment, or before there is one, on the
+    /// scene; see Contact::tell().
+    void tell(const Findings &findings);
 
     void write_summary() const;
 
@@ -127,10 +122,9 @@ namespace Contact
     void finish();
 
   private:
-    const Parameters::All  &parameters;
-    const ParameterHandler &prm;
-    std::string             printed_parameters;
-    std::set<std::string>   notes_on_this_scene; // a run may begin once more
+    const Parameters::All            &parameters;
+    const ParameterHandler           &prm;
+    std::string                       printed_parameters;
     std::unique_ptr<ResultFiles<dim>> result_files;
     const Discretization<dim> *discretization = nullptr; // once files are open
   };

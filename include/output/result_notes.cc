@@ -3,13 +3,12 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "output/result_notes.h"
-
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
 
 #include "base/string_utilities.h"
+#include "output/notes.h"
 #include "solvers/direct/definite_solver.h"
 #include "solvers/multigrid/matrix_free_system.h"
 #include "solvers/rigid_pieces/rigid_body_modes.h"
@@ -60,7 +59,7 @@ namespace Contact
     void add_notes_on_roundness(const Parameters::All       &parameters,
                                 const ContactInterface<dim> &interface,
                                 const GhostedVector         &solution,
-                                std::vector<std::string>    &notes)
+                                Findings                    &findings)
     {
       const auto fits = fit_rigid_motions(interface.discretization, solution);
       const auto entries = parameters.pairs();
@@ -92,19 +91,19 @@ namespace Contact
                ? 0
                : out_of_round(*contact_pair.master, master, keeps_parabolas));
           if (moved > 0 && off > 0.05 * moved)
-            notes.push_back(
-              "the elements of '" + entries[z].slave +
-              (master.empty() ? "" : "' and '" + entries[z].master) +
-              "' are up to about " + brief(off) +
-              " mm off their circles where they touch, " +
-              brief(100 * off / moved) +
-              " % of what the surfaces deform by: where the meshes "
-              "do not match, gaps and overlaps of this size are the meshes', and "
-              "pressures follow them. " +
-              (keeps_parabolas
-                 ? "Finer sides in the mesh file, or Mesh/Arcs without its "
-                   "mid-side nodes: where they are refined they keep their shape"
-                 : "Refine there, or take degree 2"));
+            findings.push_back(
+              {"the elements of '" + entries[z].slave +
+               (master.empty() ? "" : "' and '" + entries[z].master) +
+               "' are up to about " + brief(off) +
+               " mm off their circles where they touch, " +
+               brief(100 * off / moved) +
+               " % of what the surfaces deform by: where the meshes "
+               "do not match, gaps and overlaps of this size are the meshes', and "
+               "pressures follow them. " +
+               (keeps_parabolas
+                  ? "Finer sides in the mesh file, or Mesh/Arcs without its "
+                    "mid-side nodes: where they are refined they keep their shape"
+                  : "Refine there, or take degree 2")});
         }
     }
 
@@ -116,7 +115,7 @@ namespace Contact
     void add_notes_on_held_nodes(const Parameters::All       &parameters,
                                  const ContactInterface<dim> &interface,
                                  const GhostedVector         &solution,
-                                 std::vector<std::string>    &notes)
+                                 Findings                    &findings)
     {
       const double digits  = 1e-6; // of a gap, by the length of a facet
       const auto   entries = parameters.pairs();
@@ -141,11 +140,12 @@ namespace Contact
                   deepest = &point;
                 }
           if (deepest != nullptr)
-            notes.push_back(
-              "supports hold nodes of the slave '" + entries[z].slave +
-              "' inside of its obstacle, up to " + brief(depth) +
-              " mm deep, there at X = (" + brief(contact_pair.place(*deepest)) +
-              ") mm: no pressure acts on what they hold along its normal");
+            findings.push_back(
+              {"supports hold nodes of the slave '" + entries[z].slave +
+               "' inside of its obstacle, up to " + brief(depth) +
+               " mm deep, there at X = (" +
+               brief(contact_pair.place(*deepest)) +
+               ") mm: no pressure acts on what they hold along its normal"});
         }
     }
 
@@ -173,10 +173,10 @@ namespace Contact
     // Springs of no force leave such a body anywhere. What presses no more than
     // round-off holds nothing.
     template<int dim>
-    void add_notes_on_free_motions(const ContactModel<dim>  &model,
-                                   const GhostedVector      &solution,
-                                   const double              round_off_force,
-                                   std::vector<std::string> &notes)
+    void add_notes_on_free_motions(const ContactModel<dim> &model,
+                                   const GhostedVector     &solution,
+                                   const double             round_off_force,
+                                   Findings                &findings)
     {
       ContactInterface<dim>              &interface = *model.interface;
       const std::vector<PointStatus<dim>> statuses =
@@ -198,11 +198,11 @@ namespace Contact
                                               rotations(model, solution));
       interface.active_set.set_statuses(statuses);
       for (const RigidBodyMode &motion : free)
-        notes.push_back("nothing holds " +
-                        model.mesh->piece_name(motion.piece) +
-                        " at the end against: " + motion.name +
-                        ". No force acts along it, and its displacement is one "
-                        "of many. Support it there, or with friction");
+        findings.push_back(
+          {"nothing holds " + model.mesh->piece_name(motion.piece) +
+           " at the end against: " + motion.name +
+           ". No force acts along it, and its displacement is one "
+           "of many. Support it there, or with friction"});
     }
 
 
@@ -211,7 +211,7 @@ namespace Contact
     void add_note_on_idleness(const RunSummary            &summary,
                               const ContactInterface<dim> &interface,
                               const GhostedVector         &solution,
-                              std::vector<std::string>    &notes)
+                              Findings                    &findings)
     {
       bool touches   = false;
       bool is_loaded = !solution.all_zero();
@@ -227,11 +227,12 @@ namespace Contact
             touches = touches || values.at("normal_force") != 0;
         }
       if (!is_loaded)
-        notes.push_back("nothing is loaded: nothing moves and no force acts");
+        findings.push_back(
+          {"nothing is loaded: nothing moves and no force acts"});
       else if (!touches && !interface.is_tied())
-        notes.push_back(
-          "nothing touches: no increment has a pressure of "
-          "contact. Check gaps, groups and the direction of loads");
+        findings.push_back(
+          {"nothing touches: no increment has a pressure of "
+           "contact. Check gaps, groups and the direction of loads"});
     }
 
 
@@ -239,9 +240,9 @@ namespace Contact
     // Elements of degree 2 with a bound centre node have no multigrid without a
     // matrix, and where CHOLMOD does not serve any more miss it.
     template<int dim>
-    void add_note_on_solver(const Parameters::All    &parameters,
-                            const ContactModel<dim>  &model,
-                            std::vector<std::string> &notes)
+    void add_note_on_solver(const Parameters::All   &parameters,
+                            const ContactModel<dim> &model,
+                            Findings                &findings)
     {
       const Discretization<dim> &discretization = *model.discretization;
       const auto                 with_matrix =
@@ -255,41 +256,41 @@ namespace Contact
           with_matrix == Parameters::SolverKind::amg &&
           MatrixFreeSystem<dim>::lacks_centre_nodes(discretization,
                                                     *model.elasticity))
-        notes.push_back(
-          "a mesh of this size is solved in less time and memory with "
-          "'Element/Centre node = free': by geometric multigrid without a "
-          "matrix, which does not know elements without centre node");
+        findings.push_back(
+          {"a mesh of this size is solved in less time and memory with "
+           "'Element/Centre node = free': by geometric multigrid without a "
+           "matrix, which does not know elements without centre node"});
     }
   } // namespace
 
 
 
   template<int dim>
-  std::vector<std::string> notes_on_result(const ContactModel<dim> &model,
-                                           const Parameters::All   &parameters,
-                                           const GhostedVector     &solution,
-                                           const RunSummary        &summary)
+  Findings notes_on_result(const ContactModel<dim> &model,
+                           const Parameters::All   &parameters,
+                           const GhostedVector     &solution,
+                           const RunSummary        &summary)
   {
-    std::vector<std::string> notes;
-    add_note_on_solver(parameters, model, notes);
+    Findings findings;
+    add_note_on_solver(parameters, model, findings);
     if (!model.interface)
-      return notes;
-    add_note_on_idleness(summary, *model.interface, solution, notes);
-    add_notes_on_roundness(parameters, *model.interface, solution, notes);
-    add_notes_on_held_nodes(parameters, *model.interface, solution, notes);
+      return findings;
+    add_note_on_idleness(summary, *model.interface, solution, findings);
+    add_notes_on_roundness(parameters, *model.interface, solution, findings);
+    add_notes_on_held_nodes(parameters, *model.interface, solution, findings);
     const double round_off_force =
       summary.increments.empty() ? 0.
                                  : summary.increments.back().round_off_force;
-    add_notes_on_free_motions(model, solution, round_off_force, notes);
-    return notes;
+    add_notes_on_free_motions(model, solution, round_off_force, findings);
+    return findings;
   }
 
-  template std::vector<std::string> notes_on_result(const ContactModel<2> &,
-                                                    const Parameters::All &,
-                                                    const GhostedVector &,
-                                                    const RunSummary &);
-  template std::vector<std::string> notes_on_result(const ContactModel<3> &,
-                                                    const Parameters::All &,
-                                                    const GhostedVector &,
-                                                    const RunSummary &);
+  template Findings notes_on_result(const ContactModel<2> &,
+                                    const Parameters::All &,
+                                    const GhostedVector &,
+                                    const RunSummary &);
+  template Findings notes_on_result(const ContactModel<3> &,
+                                    const Parameters::All &,
+                                    const GhostedVector &,
+                                    const RunSummary &);
 } // namespace Contact

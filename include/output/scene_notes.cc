@@ -3,12 +3,11 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "output/scene_notes.h"
-
 #include <algorithm>
 #include <functional>
 
 #include "base/string_utilities.h"
+#include "output/notes.h"
 #include "parameters/formula.h"
 
 namespace Contact
@@ -39,7 +38,7 @@ namespace Contact
     void add_note_on_history(const std::string                   &entry,
                              const std::function<double(double)> &history,
                              const unsigned int                   n,
-                             std::vector<std::string>            &notes)
+                             Findings                            &findings)
     {
       const unsigned int n_samples = 32; // of an increment
       double             size = 0, missed = 0, where = 0;
@@ -62,11 +61,11 @@ namespace Contact
             }
         }
       if (missed > 1e-3 * std::max(size, missed))
-        notes.push_back(
-          "the history of '" + entry +
-          "' turns back inside an increment, at about t = " + brief(where) +
-          ": only its values at the ends of increments are "
-          "applied. Take more increments, so that one ends there");
+        findings.push_back(
+          {"the history of '" + entry +
+           "' turns back inside an increment, at about t = " + brief(where) +
+           ": only its values at the ends of increments are "
+           "applied. Take more increments, so that one ends there"});
     }
 
 
@@ -74,7 +73,7 @@ namespace Contact
     template<int dim>
     void add_notes_on_histories(const Parameters::All     &parameters,
                                 const Discretization<dim> &discretization,
-                                std::vector<std::string>  &notes)
+                                Findings                  &findings)
     {
       const unsigned int n = parameters.solution.n_increments;
       for (const auto &[entry, is_set] :
@@ -86,7 +85,7 @@ namespace Contact
               return discretization.factor(entry, t);
             },
             n,
-            notes);
+            findings);
       for (const auto &contact_pair : parameters.pairs())
         for (const auto &[motion, formula] : contact_pair.obstacle_motion)
           {
@@ -97,7 +96,7 @@ namespace Contact
               entry + " " + motion,
               [&](const double t) { return history(Point<1>(t)); },
               n,
-              notes);
+              findings);
           }
     }
 
@@ -109,9 +108,9 @@ namespace Contact
     // of 0.6 to 1, the peak was 1.2, 1.6 and 1.8 times that of the exchanged
     // roles.
     template<int dim>
-    void add_notes_on_roles(const Parameters::All    &parameters,
-                            const ContactModel<dim>  &model,
-                            std::vector<std::string> &notes)
+    void add_notes_on_roles(const Parameters::All   &parameters,
+                            const ContactModel<dim> &model,
+                            Findings                &findings)
     {
       struct Side
       {
@@ -138,11 +137,11 @@ namespace Contact
           const Side master = mean(*contact_pair.master);
           if (slave.stiffness > 5 * master.stiffness &&
               slave.length < 0.9 * master.length)
-            notes.push_back(
-              "the slave '" + entries[z].slave +
-              "' is stiffer than its master and has shorter edges: "
-              "pressures oscillate, and their peaks may be twice too "
-              "high. Take the softer surface as slave");
+            findings.push_back(
+              {"the slave '" + entries[z].slave +
+               "' is stiffer than its master and has shorter edges: "
+               "pressures oscillate, and their peaks may be twice too "
+               "high. Take the softer surface as slave"});
         }
     }
 
@@ -153,7 +152,7 @@ namespace Contact
     template<int dim>
     void add_notes_on_facing(const Parameters::All       &parameters,
                              const ContactInterface<dim> &interface,
-                             std::vector<std::string>    &notes)
+                             Findings                    &findings)
     {
       const auto entries = parameters.pairs();
       for (unsigned int z = 0; z < entries.size(); ++z)
@@ -177,22 +176,22 @@ namespace Contact
                                                   point.normal,
                                                   interface.discretization);
                           }))
-            notes.push_back("supports hold all of the slave '" +
-                            entries[z].slave +
-                            "', and what it faces, along the normals: no "
-                            "pressure can act there, whatever the gaps are" +
-                            (interface.pairs[z]->tied
-                               ? ", and nothing is glued. Exchange slave and "
-                                 "master, or take the mortar discretization"
-                               : ""));
+            findings.push_back(
+              {"supports hold all of the slave '" + entries[z].slave +
+               "', and what it faces, along the normals: no "
+               "pressure can act there, whatever the gaps are" +
+               (interface.pairs[z]->tied
+                  ? ", and nothing is glued. Exchange slave and "
+                    "master, or take the mortar discretization"
+                  : "")});
           else
-            notes.push_back(
-              "no point of the slave '" + entries[z].slave + "' faces its " +
-              (entries[z].master.empty()
-                 ? "obstacle"
-                 : "master '" + entries[z].master + "'") +
-              " to begin with: check the groups, and on which side of "
-              "an obstacle its normal is");
+            findings.push_back(
+              {"no point of the slave '" + entries[z].slave + "' faces its " +
+               (entries[z].master.empty()
+                  ? "obstacle"
+                  : "master '" + entries[z].master + "'") +
+               " to begin with: check the groups, and on which side of "
+               "an obstacle its normal is"});
         }
     }
 
@@ -203,7 +202,7 @@ namespace Contact
     template<int dim>
     void add_notes_on_glue(const Parameters::All       &parameters,
                            const ContactInterface<dim> &interface,
-                           std::vector<std::string>    &notes)
+                           Findings                    &findings)
     {
       const double digits  = 1e-9; // of a mesh file, by the length of an edge
       const auto   entries = parameters.pairs();
@@ -228,12 +227,12 @@ namespace Contact
                 }
             }
           if (largest > 0)
-            notes.push_back("the glued surfaces '" + entries[z].slave +
-                            "' and '" + entries[z].master + "' are up to " +
-                            brief(largest) + " mm apart, there at X = (" +
-                            brief(place) +
-                            ") mm: the moment of the shear over the gap is "
-                            "lost. Let them meet in the mesh");
+            findings.push_back({"the glued surfaces '" + entries[z].slave +
+                                "' and '" + entries[z].master + "' are up to " +
+                                brief(largest) + " mm apart, there at X = (" +
+                                brief(place) +
+                                ") mm: the moment of the shear over the gap is "
+                                "lost. Let them meet in the mesh"});
         }
     }
 
@@ -244,7 +243,7 @@ namespace Contact
     void add_notes_on_arcs(const Parameters::All     &parameters,
                            const ContactModel<dim>   &model,
                            const Parameters::Contact &contact_pair,
-                           std::vector<std::string>  &notes)
+                           Findings                  &findings)
     {
       if (parameters.mesh.mid_side_nodes ||
           (parameters.element.degree == 1 && parameters.mesh.refinements == 0 &&
@@ -260,13 +259,13 @@ namespace Contact
                          name)
               .largest_bend();
           if (bend > 0.1)
-            notes.push_back(
-              "'" + name + "' bends by up to " + brief(bend) +
-              " degrees at a node and is no arc: at degree 2 and on finer "
-              "meshes it keeps its corners. " +
-              (dim == 2
-                 ? "For a circle: Mesh/Arcs = " + name + ": x, y, radius"
-                 : "If it is round: Mesh/Spheres, Cylinders, Cones or Tori"));
+            findings.push_back(
+              {"'" + name + "' bends by up to " + brief(bend) +
+               " degrees at a node and is no arc: at degree 2 and on finer "
+               "meshes it keeps its corners. " +
+               (dim == 2
+                  ? "For a circle: Mesh/Arcs = " + name + ": x, y, radius"
+                  : "If it is round: Mesh/Spheres, Cylinders, Cones or Tori")});
         }
     }
   } // namespace
@@ -274,23 +273,23 @@ namespace Contact
 
 
   template<int dim>
-  std::vector<std::string> notes_on_scene(const ContactModel<dim> &model,
-                                          const Parameters::All   &parameters)
+  Findings notes_on_scene(const ContactModel<dim> &model,
+                          const Parameters::All   &parameters)
   {
-    std::vector<std::string> notes;
-    add_notes_on_histories(parameters, *model.discretization, notes);
+    Findings findings;
+    add_notes_on_histories(parameters, *model.discretization, findings);
     if (!model.interface)
-      return notes;
+      return findings;
     for (const auto &contact_pair : parameters.pairs())
-      add_notes_on_arcs(parameters, model, contact_pair, notes);
-    add_notes_on_facing(parameters, *model.interface, notes);
-    add_notes_on_glue(parameters, *model.interface, notes);
-    add_notes_on_roles(parameters, model, notes);
-    return notes;
+      add_notes_on_arcs(parameters, model, contact_pair, findings);
+    add_notes_on_facing(parameters, *model.interface, findings);
+    add_notes_on_glue(parameters, *model.interface, findings);
+    add_notes_on_roles(parameters, model, findings);
+    return findings;
   }
 
-  template std::vector<std::string> notes_on_scene(const ContactModel<2> &,
-                                                   const Parameters::All &);
-  template std::vector<std::string> notes_on_scene(const ContactModel<3> &,
-                                                   const Parameters::All &);
+  template Findings notes_on_scene(const ContactModel<2> &,
+                                   const Parameters::All &);
+  template Findings notes_on_scene(const ContactModel<3> &,
+                                   const Parameters::All &);
 } // namespace Contact

@@ -39,12 +39,12 @@ namespace Contact
   bool RunSummary::passed() const
   {
     return converged && accuracy_missed.empty() &&
-           std::all_of(increments.begin(),
-                       increments.end(),
-                       [&](const auto &increment) {
-                         return increment.violations.empty() ||
-                                increment.level < increments.back().level;
-                       }) &&
+           std::none_of(findings.begin(),
+                        findings.end(),
+                        [&](const auto &finding) {
+                          return finding.is_violated &&
+                                 finding.level == increments.back().level;
+                        }) &&
            std::all_of(probes.begin(), probes.end(), [](const auto &probe) {
              return probe.within();
            });
@@ -158,7 +158,6 @@ namespace Contact
                 {"message", increment.message},
                 {"invariants", increment.invariants},
                 {"works", increment.works},
-                {"violations", increment.violations},
                 {"probes", increment.probes},
                 {"reactions", increment.reactions}};
       add_pairs(increment.contact, json);
@@ -225,6 +224,7 @@ namespace Contact
                 {"interrupted", summary.interrupted},
                 {"message", summary.message},
                 {"accuracy_missed", summary.accuracy_missed},
+                {"findings", Json::array()},
                 {"probes", Json::array()},
                 {"increments", Json::array()},
                 {"levels", Json::array()},
@@ -237,6 +237,11 @@ namespace Contact
                 {"peak_memory_mb", summary.peak_memory_mb},
                 {"effects", Json::object()},
                 {"counters", summary.counters}};
+      for (const Finding &finding : summary.findings)
+        json["findings"].push_back(
+          {{"severity", finding.is_violated ? "violated" : "note"},
+           {"where", finding.where},
+           {"text", finding.text}});
       for (const ProbeResult &probe : summary.probes)
         json["probes"].push_back(to_json(probe));
       for (const IncrementRecord &increment : summary.increments)

@@ -17,6 +17,7 @@
 
 #include "adaptivity/effect_estimate.h"
 #include "adaptivity/probe_errors.h"
+#include "base/findings.h"
 #include "solid/strain_range.h"
 
 namespace Contact
@@ -83,10 +84,8 @@ namespace Contact
     double round_off_force = 0;
 
     /// By name: how far invariants are not met, and works since the start
-    /// [N mm per mm of thickness], see Invariants; a sentence for each one that
-    /// is violated.
+    /// [N mm per mm of thickness], see Invariants.
     std::map<std::string, double> invariants, works;
-    std::vector<std::string>      violations;
 
     /// The rotations of rigid boundaries that probes ask for, with full turns
     /// [rad].
@@ -109,7 +108,7 @@ namespace Contact
       archive &level &load_factor &newton_iterations &linear_iterations
         &friction_iterations &geometry_iterations &active &stick &slip
           &halved_steps &cycles &hold_work &converged &message &invariants
-            &works &violations &probes &contact &reactions &bodies &rotations;
+            &works &probes &contact &reactions &bodies &rotations;
     }
   };
 
@@ -157,6 +156,9 @@ namespace Contact
     bool        converged   = false;
     bool        interrupted = false;
     std::string message;
+
+    /// All that the user was told on the standard error.
+    Findings findings;
 
     /// Whether another attempt by other loops may help where it has not
     /// converged.

@@ -5,12 +5,10 @@
 
 #include "parameters/parameter_file.h"
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <fstream>
-#include <iostream>
 #include <set>
 
 #include "base/errors.h"
@@ -281,9 +279,7 @@ namespace Contact
 
   void ParameterReader::note(const Place &place, const std::string &text)
   {
-    if (!Utilities::MPI::job_supports_mpi() ||
-        Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      std::cerr << place.name << ": note: " << text << std::endl;
+    tell({text, /*is_violated=*/false, place.name}, findings);
   }
 
 
@@ -307,8 +303,8 @@ namespace Contact
 
 
 
-  void ParameterReader::note_idle(
-    const std::map<std::string, std::string> &reasons) const
+  void
+  ParameterReader::note_idle(const std::map<std::string, std::string> &reasons)
   {
     for (const auto &[path, reason] : reasons)
       if (settings.count(path) > 0 &&
@@ -400,7 +396,7 @@ namespace Contact
   const DeclaredEntry &
   ParameterReader::find_entry(const std::string &in_section,
                               const std::string &name,
-                              const Place       &place) const
+                              const Place       &place)
   {
     for (const DeclaredEntry &entry : entries)
       if (entry.section == in_section && entry.name == name)

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "base/findings.h"
 #include "parameters/declared_entry.h"
 
 namespace Contact
@@ -43,6 +44,9 @@ namespace Contact
                     const std::string &kind,
                     const Declare     &declare);
 
+    /// The notes on statements so far.
+    Findings findings;
+
     /// Read a file and what it includes, JSON if its name ends so. @p asked_by
     /// is the statement that asks for it.
     void read_file(const std::filesystem::path &file,
@@ -60,7 +64,7 @@ namespace Contact
 
     /// Note which of these entries the main file itself sets although they
     /// have no effect: by "Section/Entry" why.
-    void note_idle(const std::map<std::string, std::string> &reasons) const;
+    void note_idle(const std::map<std::string, std::string> &reasons);
 
   private:
     /// The place of a statement, and the directory that paths in it are
@@ -113,23 +117,22 @@ namespace Contact
     /// Declare a section if it is one of those there may be several of.
     void declare_section(const std::string &name);
 
-    /// Print a note on a statement, on the first rank.
-    static void note(const Place &place, const std::string &text);
+    void note(const Place &place, const std::string &text);
 
     /// Whether an entry is a former one without a successor, with a note.
-    static bool is_retired(const std::string &in_section,
-                           const std::string &name,
-                           const Place       &place);
+    bool is_retired(const std::string &in_section,
+                    const std::string &name,
+                    const Place       &place);
 
     /// The name that a value has now.
-    static std::string present_value(const DeclaredEntry &entry,
-                                     const std::string   &value,
-                                     const Place         &place);
+    std::string present_value(const DeclaredEntry &entry,
+                              const std::string   &value,
+                              const Place         &place);
 
     bool                 has_section(const std::string &name) const;
     const DeclaredEntry &find_entry(const std::string &in_section,
                                     const std::string &name,
-                                    const Place       &place) const;
+                                    const Place       &place);
     std::string          nearest_section(const std::string &name) const;
     std::string          nearest_entry(const std::string &in_section,
                                        const std::string &name) const;

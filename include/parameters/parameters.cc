@@ -258,6 +258,7 @@ namespace Contact
                          error.remedy);
       }
     reader.note_idle(parameters.idle_entries());
+    parameters.findings = reader.findings;
   }
 
 

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "base/findings.h"
 #include "parameters/parameters_scene.h"
 #include "parameters/parameters_solution.h"
 
@@ -35,6 +36,7 @@ namespace Contact
       ~All();
 
       std::string name;
+      Findings    findings; // of its file
 
       Mesh       mesh;
       Element    element;

@@ -156,14 +156,14 @@ namespace Contact
           : "name a boundary of 'Contact', or ask for a reaction");
   }
 
-  std::vector<std::string> notes_on_reactions(
+  Findings notes_on_reactions(
     const Parameters::Probes                                   &probes,
     const std::map<std::string, double>                        &values,
     const std::map<std::string, std::map<std::string, double>> &reactions)
   {
-    const double             noticed = 1e-3, round_off = 1e-9;
-    const std::string        prefix = "reaction ";
-    std::vector<std::string> notes;
+    const double      noticed = 1e-3, round_off = 1e-9;
+    const std::string prefix = "reaction ";
+    Findings          findings;
     for (const auto &[name, definition] : probes.definitions())
       {
         const std::string quantity =
@@ -189,13 +189,13 @@ namespace Contact
                                              std::abs(of_supports->second)))
           continue;
         const std::string unit = component.size() > 1 ? " N mm" : " N";
-        notes.push_back(
-          "the probe '" + name + "' is " + brief(value->second) + unit +
-          ", of which supports exert " + brief(of_supports->second) + unit +
-          " and contact the rest: it acts on nodes that they hold; the supports "
-          "alone are in summary.json, increments/reactions");
+        findings.push_back(
+          {"the probe '" + name + "' is " + brief(value->second) + unit +
+           ", of which supports exert " + brief(of_supports->second) + unit +
+           " and contact the rest: it acts on nodes that they hold; the supports "
+           "alone are in summary.json, increments/reactions"});
       }
-    return notes;
+    return findings;
   }
 
 

@@ -54,7 +54,7 @@ namespace Contact
   /// alone, because contact acts on nodes that they hold: by name the values of
   /// the @p probes, and the @p reactions of the groups of supports by
   /// direction.
-  std::vector<std::string> notes_on_reactions(
+  Findings notes_on_reactions(
     const Parameters::Probes                                   &probes,
     const std::map<std::string, double>                        &values,
     const std::map<std::string, std::map<std::string, double>> &reactions);

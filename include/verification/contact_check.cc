@@ -22,8 +22,9 @@ namespace Contact
   {
     if (value <= limit)
       return;
-    violations.push_back(name + ": " + sentence + "; relative " + brief(value) +
-                         ", allowed " + brief(limit) + ". " + advice);
+    findings.push_back({name + ": " + sentence + "; relative " + brief(value) +
+                          ", allowed " + brief(limit) + ". " + advice,
+                        /*is_violated=*/true});
   }
 
 
@@ -205,7 +206,7 @@ namespace Contact
     if (ends_run || now.depth > half(way))
       found.check("depth", now.depth, half(deformed), what, advice);
     else
-      found.notes.push_back("depth: " + what + ". " + advice);
+      found.findings.push_back({"depth: " + what + ". " + advice});
   }
 
 

@@ -6,6 +6,7 @@
 #ifndef contact_contact_check_h
 #define contact_contact_check_h
 
+#include "base/findings.h"
 #include "base/string_utilities.h"
 #include "contact/interface/contact_interface.h"
 
@@ -51,15 +52,11 @@ namespace Contact
     double penetration          = 0;
     double relative_penetration = 0;
 
-    /// One sentence for each invariant that is violated: which, by how much,
-    /// where, what to do.
-    std::vector<std::string> violations;
+    /// Which invariants are violated, by how much, where, what to do; and what
+    /// a user should know of this state though the discrete equations hold.
+    Findings findings;
 
-    /// One sentence for each thing that a user should know of this state though
-    /// the discrete equations hold.
-    std::vector<std::string> notes;
-
-    /// Add a sentence if @p value is above @p limit, or not a number.
+    /// Add a violation if @p value is above @p limit, or not a number.
     void check(const std::string &name,
                const double       value,
                const double       limit,

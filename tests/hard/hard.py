@@ -128,7 +128,8 @@ def run(options, case, rule, kinematics, friction, required):
         row["Newton"] = sum(i["newton_iterations"] for i in increments)
         row["cut-backs"] = sum(not i["converged"] for i in increments)
         row["cycles"] = sum(i["cycles"] for i in increments)
-        row["violations"] = sum(len(i["violations"]) for i in increments)
+        row["violations"] = sum(
+            f["severity"] == "violated" for f in summary.get("findings", []))
         row["energy imbalance"] = largest(summary, "energy_imbalance")
         row["penetration"] = largest(summary, "penetration")
     if status is None:

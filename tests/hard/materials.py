@@ -62,7 +62,7 @@ def run(options, case, rule, what, *entries):
         return "no end", {}
     summary = json.loads(path.read_text()) if path.exists() and status != 2 \
         else {}
-    if any(i["violations"] for i in summary.get("increments", [])):
+    if any(f["severity"] == "violated" for f in summary.get("findings", [])):
         return "VIOLATED", summary
     return STATUS.get(status, f"FAILED ({status})"), summary
 

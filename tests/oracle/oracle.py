@@ -78,7 +78,8 @@ def judge(scene, run):
         return "not converged", run.message
     if run.status == 1:
         return "not converged", "violated: " + "; ".join(
-            v for i in run.summary["increments"] for v in i["violations"])[:300]
+            f["text"] for f in run.summary["findings"]
+            if f["severity"] == "violated")[:300]
     try:
         found = check.problems(scene, run)
     except Exception:
