@@ -141,7 +141,7 @@ namespace Contact
     void        solve_level();
     ProbeErrors estimate_errors();
     void        solve_increment(const LoadSteps::Step &step);
-    void        check_turns() const;
+    void        check_obstacle_rotation() const;
     bool        has_coarser_start(const LoadSteps::Step &step) const;
     void        start_from_coarser_level(const unsigned int increment);
     bool        try_again(LoadSteps             &steps,
@@ -475,7 +475,7 @@ namespace Contact
                             parameters.solution.n_increments);
     postprocessor.clear_stresses();
     report.begin_increment(levels.present(), step.increment, step.to);
-    check_turns();
+    check_obstacle_rotation();
     if (has_coarser_start(step))
       start_from_coarser_level(step.increment);
 
@@ -499,7 +499,7 @@ namespace Contact
     if (model.interface)
       {
         model.interface->motions.place(state.solution, /*keeps_place=*/true);
-        check_turns();
+        check_obstacle_rotation();
         check_obstacles(model.interface->pairs, state.start, state.solution);
       }
 
@@ -516,17 +516,17 @@ namespace Contact
 
 
 
-  // @sect4{ContactProblem::check_turns}
+  // @sect4{ContactProblem::check_obstacle_rotation}
   //
   // Slip is the straight way of the obstacle's material between two ends of an
-  // increment; in 3-D shear is off its direction by half of the angle. Turns
-  // that follow from a moment are known at its end.
+  // increment; in 3-D shear is off its direction by half of the angle.
+  // Rotations that follow from a moment are known at its end.
   template<int dim>
-  void ContactProblem<dim>::check_turns() const
+  void ContactProblem<dim>::check_obstacle_rotation() const
   {
     const unsigned int degrees = dim == 2 ? 90 : 20;
-    if (model.interface &&
-        model.interface->motions.largest_turn() > numbers::PI / 180 * degrees)
+    if (model.interface && model.interface->motions.largest_rotation() >
+                             numbers::PI / 180 * degrees)
       throw NotConverged("an obstacle turns by more than " +
                          std::to_string(degrees) +
                          " degrees within the increment");
@@ -642,8 +642,8 @@ namespace Contact
       }
 
     stabilization.choose_stiffness();
-    const unsigned int max_turns = 20;
-    for (unsigned int turn = 1;; ++turn)
+    const unsigned int max_iterations = 20;
+    for (unsigned int iteration = 1;; ++iteration)
       {
         stabilization.attach(state.solution);
         if (model.interface)
@@ -656,8 +656,8 @@ namespace Contact
         const auto   hold   = stabilization.work(state.solution);
         const double energy = model.elasticity->strain_energy(state.solution);
         report.increment().hold_work = hold.work;
-        report.screen << "  stabilization, turn " << turn << ": its work "
-                      << hold.work << " N mm"
+        report.screen << "  stabilization, iteration " << iteration
+                      << ": its work " << hold.work << " N mm"
                       << model.discretization->per_thickness()
                       << ", strain energy " << energy << " N mm"
                       << model.discretization->per_thickness() << std::endl;
@@ -665,8 +665,8 @@ namespace Contact
         if ((hold.work <= 1e-8 * energy && hold.force <= 1e-5 * scale) ||
             hold.force <= newton.convergence.tolerance() * scale)
           return;
-        if (turn == max_turns)
-          stabilization.give_up(hold, turn);
+        if (iteration == max_iterations)
+          stabilization.give_up(hold, iteration);
       }
   }
 
@@ -674,12 +674,13 @@ namespace Contact
 
   // @sect4{ContactProblem::solve_with_geometry_loop}
   //
-  // Pair, freeze projections and normals, solve, pair again. The first turn is
-  // never accepted, for it knows the geometry of the increment's start only;
-  // unless that is already the solution of a coarser mesh: then the change of
-  // the surfaces is asked for, not that under a nodal force, which never ends.
-  // The criterion is the one of the reference solution: the largest change of a
-  // displacement against the largest displacement of the increment before.
+  // Pair, freeze projections and normals, solve, pair again. The first
+  // iteration is never accepted, for it knows the geometry of the increment's
+  // start only; unless that is already the solution of a coarser mesh: then the
+  // change of the surfaces is asked for, not that under a nodal force, which
+  // never ends. The criterion is the one of the reference solution: the largest
+  // change of a displacement against the largest displacement of the increment
+  // before.
   template<int dim>
   void ContactProblem<dim>::solve_with_geometry_loop()
   {
@@ -689,7 +690,7 @@ namespace Contact
         return;
       }
 
-    const auto turn = [&](const unsigned int n) {
+    const auto iterate = [&](const unsigned int n) {
       double last_increment = state.largest_change(model, state.start);
       // Rigid motions to the first touch are no measure.
       if (n > 1 && stabilization.is_needed())
@@ -698,7 +699,7 @@ namespace Contact
                    2 * model.elasticity->strain_energy(state.solution) /
                      newton.convergence.force_scale());
 
-      report.screen << "  geometry, turn " << n << std::endl;
+      report.screen << "  geometry, iteration " << n << std::endl;
       ++report.increment().geometry_iterations;
       if (n == 1)
         pairing.pair(state.solution);
@@ -723,7 +724,7 @@ namespace Contact
     };
     fixed_point("geometry loop ends with a change",
                 parameters.solution.max_geometry_iterations,
-                turn,
+                iterate,
                 [&](Relaxation &relaxation) {
                   pairing.renew(state.solution, relaxation);
                 });
@@ -736,7 +737,7 @@ namespace Contact
   // Coulomb's friction as a fixed point over Tresca's: solve with frozen bounds
   // of the shear traction, update the bounds from the pressures, until they
   // stay. A body that friction alone holds would have nothing to hold it where
-  // no pressure is known: there it sticks in the first turn.
+  // no pressure is known: there it sticks in the first iteration.
   template<int dim>
   void ContactProblem<dim>::solve_with_friction_loop()
   {
@@ -759,14 +760,14 @@ namespace Contact
       interface.bounds.raise_unknown();
 
     Vector<double> last_bounds;
-    const auto     turn = [&](const unsigned int n) {
+    const auto     iterate = [&](const unsigned int n) {
       ++report.increment().friction_iterations;
       solve_newton();
       last_bounds = interface.bounds.values();
       const double change =
         interface.bounds.update(state.solution, state.start);
-      report.screen << "    friction, turn " << n << ": change of the bound "
-                    << change << std::endl;
+      report.screen << "    friction, iteration " << n
+                    << ": change of the bound " << change << std::endl;
       return std::make_pair(change,
                             change <= parameters.solution.friction_tolerance);
     };
@@ -781,7 +782,7 @@ namespace Contact
     };
     fixed_point("friction loop ends with a change of the bound",
                 parameters.solution.max_friction_iterations,
-                turn,
+                iterate,
                 renew);
   }
 

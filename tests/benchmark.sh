@@ -35,7 +35,7 @@ startup=$(paste 0 1 | awk '{ printf "%.2f", ($2 - $1) / 5 }')
 echo "start-up: $startup s of CPU (load average before: $load)"
 
 printf '%-9s %8s %7s %9s %7s  %s\n' modeling 'CPU [s]' solving output \
-  'MB' 'Newton steps, friction turns'
+  'MB' 'Newton steps, friction iterations'
 for modeling in ${MODELINGS:-a b c d e f g h}; do
   for i in $(seq "${REPETITIONS:-3}"); do
     "$contact" "$parameters/ssnp154_$modeling.prm" --quiet \

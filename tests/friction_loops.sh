@@ -13,12 +13,12 @@ values() {
   awk -F'[:,]' '/"value"/ { print $2 }' "$1"
 }
 
-# steps FILE: Newton steps and friction turns of all increments
+# steps FILE: Newton steps and friction iterations of all increments
 steps() {
   awk -F'[:,]' '/"levels"/ { exit } # sums of the same
                 /"newton_iterations"/ { n += $2 }
                 /"friction_iterations"/ { f += $2 }
-                END { print n " Newton steps, " f " friction turns" }' "$1"
+                END { print n " Newton steps, " f " friction iterations" }' "$1"
 }
 
 failures=0

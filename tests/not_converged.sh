@@ -3,7 +3,7 @@
 # and by how much, in the table and in the summary, and prints no value: Newton's
 # method with a single step and no shorter increments to go on with; and a body
 # that turns inside out. With friction by a fixed point, those of geometry and friction
-# with a single turn say so and hand over to Newton's method, which ends in the same solution;
+# with a single iteration say so and hand over to Newton's method, which ends in the same solution;
 # as do a pin that rolls in its hole, where no fixed point exists, and the
 # condensed system. A Gauss point that jumps over a vertex of the master for good
 # stays on its edge, and a note says so.

@@ -62,7 +62,7 @@ namespace Contact
         {
           if (points.empty())
             points = interface->points();
-          turn(*contact_pair, points);
+          rotate(*contact_pair, points);
         }
     if (points.empty())
       return;
@@ -85,8 +85,8 @@ namespace Contact
 
 
   template<int dim>
-  void RotatedTie<dim>::turn(const ContactPair<dim>         &contact_pair,
-                             std::vector<ContactPoint<dim>> &points)
+  void RotatedTie<dim>::rotate(const ContactPair<dim>         &contact_pair,
+                               std::vector<ContactPoint<dim>> &points)
   {
     const auto drawn_normals =
       DeformedSurface<dim>(contact_pair.slave, {}).normals();

@@ -34,8 +34,8 @@ namespace Contact
     ~RotatedTie();
 
   private:
-    void turn(const ContactPair<dim>         &contact_pair,
-              std::vector<ContactPoint<dim>> &points);
+    void rotate(const ContactPair<dim>         &contact_pair,
+                std::vector<ContactPoint<dim>> &points);
 
     ContactInterface<dim> *const   interface;
     GhostedVector                 &solution;

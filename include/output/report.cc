@@ -112,8 +112,8 @@ namespace Contact
     IncrementRecord &record = increment();
     record.converged        = true;
     screen << "  converged: " << record.newton_iterations << " Newton steps, "
-           << record.friction_iterations << " friction turns, "
-           << record.geometry_iterations << " geometry turns" << std::endl;
+           << record.friction_iterations << " friction iterations, "
+           << record.geometry_iterations << " geometry iterations" << std::endl;
   }
 
 

@@ -203,9 +203,9 @@ namespace Contact
         return "Tied z";
       for (const auto &[entry, is_set] : entries_with_history())
         {
-          const bool turns =
+          const bool is_rotation =
             entry.rfind("Rotation", 0) == 0 || entry.rfind("Moment", 0) == 0;
-          const bool is_across = turns == (entry.back() != 'z');
+          const bool is_across = is_rotation == (entry.back() != 'z');
           if (is_across && (is_set || histories.count(entry) > 0))
             return entry;
         }

@@ -58,11 +58,11 @@ namespace Contact
         "Geometry tolerance",
         geometry_tolerance,
         "Largest change of a displacement behind the last pairing, relative to "
-        "the largest displacement of the increment [-]; > 0. The first turn of "
+        "the largest displacement of the increment [-]; > 0. The first iteration of "
         "a geometry loop is never accepted.");
       prm.add_parameter("Max geometry iterations",
                         max_geometry_iterations,
-                        "Turns of the geometry loop before giving up [-].",
+                        "Iterations of the geometry loop before giving up [-].",
                         at_least_one);
       prm.add_parameter("Friction",
                         friction,
@@ -72,11 +72,11 @@ namespace Contact
       prm.add_parameter(
         "Friction tolerance",
         friction_tolerance,
-        "Largest change of a bound of the shear traction in one turn of the "
+        "Largest change of a bound of the shear traction in one iteration of the "
         "friction loop, relative to the largest bound [-]; > 0.");
       prm.add_parameter("Max friction iterations",
                         max_friction_iterations,
-                        "Turns of the friction loop before giving up [-].",
+                        "Iterations of the friction loop before giving up [-].",
                         at_least_one);
       prm.add_parameter("Newton tolerance",
                         newton_tolerance,

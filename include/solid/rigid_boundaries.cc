@@ -316,19 +316,19 @@ namespace Contact
   void RigidBoundary<dim>::prescribe(const Targets &targets,
                                      Motion        &motion) const
   {
-    Tensor<1, 3> phi   = rotation(motion);
-    bool         turns = false;
+    Tensor<1, 3> phi     = rotation(motion);
+    bool         rotates = false;
     for (unsigned int k = 0; k < 3; ++k)
       {
         if (is_missing[k] || targets.is_prescribed[k])
           motion.U[k] = targets.value[k];
         if (is_missing[3 + k] || targets.is_prescribed[3 + k])
           {
-            phi[k] = targets.value[3 + k];
-            turns  = turns || targets.is_prescribed[3 + k] || is_missing[5];
+            phi[k]  = targets.value[3 + k];
+            rotates = rotates || targets.is_prescribed[3 + k] || is_missing[5];
           }
       }
-    if (turns)
+    if (rotates)
       motion.R = is_large ? rotation_by(phi) : identity() + spin(phi);
   }
 

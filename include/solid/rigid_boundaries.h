@@ -110,10 +110,10 @@ namespace Contact
     /// is small beside I, and the arm would take its digits.
     static Tensor<1, 3> displacement(const Motion &motion, const Node &node)
     {
-      Tensor<2, 3> turn = motion.R;
+      Tensor<2, 3> rotation = motion.R;
       for (unsigned int k = 0; k < 3; ++k)
-        turn[k][k] -= 1;
-      return motion.U + turn * node.arm;
+        rotation[k][k] -= 1;
+      return motion.U + rotation * node.arm;
     }
 
     /// The nodal forces of a force and a moment about P.

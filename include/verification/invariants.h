@@ -95,8 +95,8 @@ namespace Contact
    * Newton's method leaves of the residual: |r . d| <= tolerance F |d|.
    *
    * Reactions work where supports are moved, and what obstacles exert where
-   * these are, F . (motion of the centre) + M . turn, and the preload of cuts
-   * that are shortened, by the trapezoidal rule: that much of the works of
+   * these are, F . (motion of the centre) + M . rotation, and the preload of
+   * cuts that are shortened, by the trapezoidal rule: that much of the works of
    * pressures and shears on the bodies comes from outside. Pressures would not
    * work if points touched along the whole path or not at all; those that open
    * or close within the increment do, of the second order in its length, and so

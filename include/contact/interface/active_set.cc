@@ -78,13 +78,13 @@ namespace Contact
             return points[point].status;
           }))
         points[q].status = {Status::slip, {}};
-    find_held_slips();
+    find_constrained_tangents();
   }
 
 
 
   template<int dim>
-  void ActiveSet<dim>::find_held_slips()
+  void ActiveSet<dim>::find_constrained_tangents()
   {
     if (dim == 3)
       for (const auto &[q, others] : frames.others())
@@ -344,7 +344,7 @@ namespace Contact
       if (!interface.contact_pair(point).tied &&
           interface.state(point, solution, solution).p_trial <= 0)
         point.status = PointStatus<dim>();
-    find_held_slips();
+    find_constrained_tangents();
   }
 
 
@@ -365,7 +365,7 @@ namespace Contact
   {
     for (unsigned int q = 0; q < points.size(); ++q)
       points[q].status = all[q];
-    find_held_slips();
+    find_constrained_tangents();
   }
 
 

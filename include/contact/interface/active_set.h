@@ -156,7 +156,7 @@ namespace Contact
 
     /// The statuses or normals are others: in 3-D, the directions in which
     /// points of one node hold each other.
-    void find_held_slips();
+    void find_constrained_tangents();
 
   private:
     /// The direction of slip of a point that cannot stick.

@@ -151,7 +151,7 @@ namespace Contact
         contact_pair->pair(contact_pair->points_among(all_points), u, mode) ||
         changed;
     changed = frames.join(all_points, u) != joined || changed;
-    active_set.find_held_slips();
+    active_set.find_constrained_tangents();
     return changed;
   }
 

@@ -56,7 +56,7 @@ namespace Contact
         interface,
         point,
         [&](const unsigned int j, const auto &, const unsigned int motion) {
-          if (!interface.motions.free[motion]->turns)
+          if (!interface.motions.free[motion]->rotates)
             return;
           for (unsigned int k = 0; k < 2 * point.n_slave_nodes; ++k)
             {

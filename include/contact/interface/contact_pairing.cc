@@ -200,7 +200,7 @@ namespace Contact
           point.dofs(0)[0]))
       {
         point.change.C.reinit(0, 0);
-        point.change.turn.clear();
+        point.change.rotation.clear();
       }
   }
 

@@ -38,7 +38,7 @@ namespace Contact
     /// Their work in a motion of the obstacle.
     double work(const typename Obstacle<dim>::Motion &motion) const
     {
-      return force * motion.shift + moment * motion.turn;
+      return force * motion.shift + moment * motion.rotation;
     }
 
     template<class Archive>

@@ -49,9 +49,9 @@ namespace Contact
     if (!parameters.obstacle_moment.empty())
       {
         add("angle", parameters.obstacle_moment, "Obstacle moment");
-        free.back()->turns = true;
-        double &lever      = free.back()->lever;
-        lever              = 0;
+        free.back()->rotates = true;
+        double &lever        = free.back()->lever;
+        lever                = 0;
         for (const SurfaceNode<dim> &node : contact_pair.slave.nodes)
           lever =
             std::max(lever, node.X.distance(contact_pair.obstacle->centre()));
@@ -193,13 +193,13 @@ namespace Contact
 
 
   template<int dim>
-  double ObstacleMotions<dim>::largest_turn() const
+  double ObstacleMotions<dim>::largest_rotation() const
   {
     double largest = 0;
     for (const auto &contact_pair : interface.pairs)
       if (contact_pair->obstacle)
         largest =
-          std::max(largest, contact_pair->obstacle->motion().turn.norm());
+          std::max(largest, contact_pair->obstacle->motion().rotation.norm());
     return largest;
   }
 

@@ -67,7 +67,7 @@ namespace Contact
     }
 
     /// The largest angle by which an obstacle turns in this increment [rad].
-    double largest_turn() const;
+    double largest_rotation() const;
 
     /// The obstacles are where they are in @p solution. With @p keeps_place the
     /// pairing stays that of before.

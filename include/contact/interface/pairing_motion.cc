@@ -107,8 +107,8 @@ namespace Contact
     C      = point.change.C;
     weight = point.change.weight;
     gap    = point.change.projection;
-    for (const Tensor<1, 1> &turn : point.change.turn)
-      omega.push_back(-turn[0]);
+    for (const Tensor<1, 1> &rotation : point.change.rotation)
+      omega.push_back(-rotation[0]);
     for (double &derivative : gap)
       derivative *= -1;
   }

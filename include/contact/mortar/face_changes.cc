@@ -79,8 +79,8 @@ namespace Contact
     for (const Tensor<1, 3> &across : point.tangents_held_by_supports)
       {
         const Tensor<1, 2> direction = point.tangential_part(across);
-        for (Tensor<1, 2> &turn : change.turn)
-          turn -= (turn * direction) * direction;
+        for (Tensor<1, 2> &rotation : change.rotation)
+          rotation -= (rotation * direction) * direction;
       }
   }
 
@@ -129,7 +129,7 @@ namespace Contact
         {
           const Tensor<1, 3> unit = Point<3>::unit_vector(j);
           change.dofs.push_back(dofs[j]);
-          change.turn.push_back(
+          change.rotation.push_back(
             point.tangential_part((turns + part * curve) * unit));
           slides.push_back(part * unit);
         }

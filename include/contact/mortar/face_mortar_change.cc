@@ -100,13 +100,13 @@ namespace Contact
 
     PairingChange<3> &change = point.change;
     change.C.reinit(point.n_nodes, change.dofs.size());
-    change.turn.resize(change.dofs.size());
+    change.rotation.resize(change.dofs.size());
     change.slide.resize(point.n_nodes);
     for (const auto &[dofs, turn] : turns)
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int t = 0; t < 2; ++t)
           for (unsigned int j = 0; j < 3; ++j)
-            change.turn[columns.at(dofs) + j][t] +=
+            change.rotation[columns.at(dofs) + j][t] +=
               point.tangents[t][i] * turn[i][j];
 
     // By column, the change of the offset along the tangents, which the

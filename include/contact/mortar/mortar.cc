@@ -278,7 +278,7 @@ namespace Contact
     const unsigned int n = change.dofs.size();
     change.C.reinit(point.n_nodes, n);
     change.weight.resize(n);
-    change.turn.resize(n);
+    change.rotation.resize(n);
     change.projection.resize(n);
     const auto add_coefficients = [&](const Surface<2> &surface,
                                       const auto       &all) {
@@ -299,7 +299,8 @@ namespace Contact
         change.weight[j]     = pairing.weight.dx(j) / point.weight;
         change.projection[j] = pairing.excess.dx(j);
         for (unsigned int i = 0; i < 2; ++i)
-          change.turn[j][0] += point.tangents[0][i] * pairing.normal[i].dx(j);
+          change.rotation[j][0] +=
+            point.tangents[0][i] * pairing.normal[i].dx(j);
       }
   }
 } // namespace Contact

@@ -118,10 +118,10 @@ namespace Contact
       const auto angle = [](const Tensor<1, 2> &u, const Tensor<1, 2> &v) {
         return std::atan2(cross(u, v), u * v);
       };
-      const double turn   = angle(first, second);
+      const double bend   = angle(first, second);
       const double length = first.norm() / (first.norm() + second.norm());
       // With its mirror image the curve has no corner there.
-      return std::abs(angle(along, first) - turn * length) <=
+      return std::abs(angle(along, first) - bend * length) <=
              numbers::PI / 180 * Surface<2>::feature_angle / 2;
     }
 
@@ -175,7 +175,7 @@ namespace Contact
       for (unsigned int e = 0; e < surface.facets.size(); ++e)
         {
           for (const unsigned int a : {0, 1})
-            if (surface.facets[e].ends_face[a])
+            if (surface.facets[e].ends_side[a])
               ends.emplace_back(e, a);
         }
       return ends;

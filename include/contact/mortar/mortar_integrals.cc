@@ -241,8 +241,8 @@ namespace Contact
         // Beyond a corner is another face, or none: that it is seen, its normal
         // tells.
         if (b == 2 || !(edge.is_feature[b] || edge.ends_surface(b)))
-          turn_square +=
-            absolute(projection.value[b]) * square(master.turns[edge.nodes[b]]);
+          turn_square += absolute(projection.value[b]) *
+                         square(master.turning_angles[edge.nodes[b]]);
       }
     const Number size = absolute(phi);
     integrals.slave_normal += phi * now.slave_normals[slave_facet][a];
@@ -270,7 +270,7 @@ namespace Contact
     const Tensor<1, 2, Number> n_s = normalized(integrals.slave_normal);
     // Flat, but for the digits of a mesh file [rad].
     const double flat = 1e-3;
-    if (slave.turns[node] < flat ||
+    if (slave.turning_angles[node] < flat ||
         value_of(integrals.master_normal).norm_square() == 0)
       return n_s;
 
@@ -282,7 +282,7 @@ namespace Contact
     if (value_of(master_square) < 0)
       master_square = 0;
     const Tensor<1, 2, Number> n_m = normalized(integrals.master_normal);
-    const Number               slave_square = square(slave.turns[node]);
+    const Number slave_square      = square(slave.turning_angles[node]);
     const Tensor<1, 2, Number> sum = master_square * n_s + slave_square * n_m;
     if (value_of(sum) * value_of(n_s) <= 0)
       return n_s;

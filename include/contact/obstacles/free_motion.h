@@ -35,7 +35,7 @@ namespace Contact
     std::function<double(const Point<1> &)> force_at;     // by the load factor
 
     /// A motion about an axis, not along one.
-    bool turns = false;
+    bool rotates = false;
 
     /// Increments that begin there or behind it do not move it.
     double end = 1;

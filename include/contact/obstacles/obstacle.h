@@ -104,11 +104,11 @@ namespace Contact
     {
     }
 
-    /// The motion of this increment: of the centre [mm], and the turn.
+    /// The motion of this increment: of the centre [mm], and the rotation.
     struct Motion
     {
       Tensor<1, dim> shift;
-      Moment<dim>    turn;
+      Moment<dim>    rotation;
     };
 
     virtual Motion motion() const

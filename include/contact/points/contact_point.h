@@ -25,15 +25,16 @@ namespace Contact
    * The change of a point's pairing with the displacements of the nodes around
    * it, where the discretization finds that by itself: derivatives with respect
    * to the unknowns @p dofs. A tangent turns with the normal. In 3-D one rank
-   * alone has @p C and @p turn, which are large.
+   * alone has @p C and @p rotation, which are large.
    */
   template<int dim>
   struct PairingChange
   {
     std::vector<types::global_dof_index> dofs;
 
-    FullMatrix<double>              C;    // of the coefficients, by node [1/mm]
-    std::vector<Tensor<1, dim - 1>> turn; // of the normal, by tangent [1/mm]
+    FullMatrix<double> C; // of the coefficients, by node [1/mm]
+    std::vector<Tensor<1, dim - 1>>
+      rotation; // of the normal, by tangent [1/mm]
 
     // In 3-D, of the coefficients by a slip, by node [1/mm].
     std::vector<Tensor<1, dim>> slide;

@@ -20,7 +20,7 @@ namespace Contact
         {
           const SurfaceFacet<2> &edge = surface.facets[e];
           const bool             is_corner =
-            edge.corner[0] && edge.ends_face[0] &&
+            edge.corner[0] && edge.ends_side[0] &&
             surface.turn_of_curves(e) >
               numbers::PI / 180 * Surface<2>::feature_angle;
           if (is_corner || edge.ends_surface(0))
@@ -39,7 +39,7 @@ namespace Contact
       std::map<unsigned int, std::vector<Tensor<1, 3>>> ends_at;
       for (const SurfaceFacet<3> &facet : surface.facets)
         for (unsigned int s = 0; s < SurfaceFacet<3>::n_sides; ++s)
-          if (facet.ends_face[s])
+          if (facet.ends_side[s])
             for (unsigned int a = 0; a < 4; ++a)
               for (unsigned int b = 0; b < 4; ++b)
                 if (a != b && is_on_side<3>(a, s) && is_on_side<3>(b, s))
@@ -69,7 +69,7 @@ namespace Contact
     {
       const SurfaceFacet<dim> &facet = surface.facets[point.master_facet];
       for (unsigned int s = 0; s < SurfaceFacet<dim>::n_sides; ++s)
-        if (facet.ends_face[s] &&
+        if (facet.ends_side[s] &&
             coordinate(point.master_xi, s / 2) * (s % 2 == 0 ? -1 : 1) >
               1 - DeformedSurface<dim>::overhang)
           return true;

@@ -92,7 +92,7 @@ namespace Contact
             sum.dofs.push_back(dof);
       const unsigned int n = sum.dofs.size();
       sum.C.reinit(mean.n_nodes, n);
-      sum.turn.resize(n);
+      sum.rotation.resize(n);
       if constexpr (dim == 2)
         {
           sum.weight.resize(n);
@@ -135,8 +135,8 @@ namespace Contact
               for (unsigned int a = 0; a < point.n_nodes; ++a)
                 sum.C(node[a], k) += part * change.C(a, j);
               for (unsigned int t = 0; t < dim - 1; ++t)
-                sum.turn[k] += part * change.turn[j][t] *
-                               mean.tangential_part(point.tangents[t]);
+                sum.rotation[k] += part * change.rotation[j][t] *
+                                   mean.tangential_part(point.tangents[t]);
               if (change.weight.empty())
                 continue;
               sum.weight[k] += part * change.weight[j];

@@ -174,13 +174,13 @@ namespace Contact
                                         const PatchSample &last,
                                         const PatchSample &next)
   {
-    const double turn      = chain.end - chain.begin;
-    const double round_off = 1e-10 * turn;
+    const double period    = chain.end - chain.begin;
+    const double round_off = 1e-10 * period;
     const double outwards  = next.s > last.s ? 1 : -1;
     const auto   cut       = [&](const double from, double at) {
-      // Samples of a loop have the arc length of one of several turns.
+      // Samples of a loop have the arc length of one of several periods.
       if (chain.is_closed)
-        at += turn * std::round((last.s - at) / turn);
+        at += period * std::round((last.s - at) / period);
       if (outwards * (at - from) >= -round_off && outwards * (end - at) > 0)
         end = at;
     };
@@ -200,19 +200,19 @@ namespace Contact
       return a.s < b.s;
     });
 
-    // Of a loop four turns, so that each sample of the two in the middle has
+    // Of a loop four periods, so that each sample of the two in the middle has
     // neighbors.
     std::vector<PatchSample> samples;
-    const int                n       = row.size();
-    const int                n_turns = chain.is_closed ? 4 : 1;
-    for (int turn = 0; turn < n_turns; ++turn)
+    const int                n         = row.size();
+    const int                n_periods = chain.is_closed ? 4 : 1;
+    for (int period = 0; period < n_periods; ++period)
       for (PatchSample sample : row)
         {
-          sample.s += turn * (chain.end - chain.begin);
+          sample.s += period * (chain.end - chain.begin);
           samples.push_back(sample);
         }
     const auto at = [&](const int i) {
-      return 0 <= i && i < n_turns * n ? &samples[i] : nullptr;
+      return 0 <= i && i < n_periods * n ? &samples[i] : nullptr;
     };
     const auto end_at = [&](const int i, const int outwards) {
       const PatchSample *next = at(i + outwards);
@@ -228,7 +228,7 @@ namespace Contact
                             *next);
     };
 
-    // A turn begins where a patch does not go on.
+    // A period begins where a patch does not go on.
     int begin = 0;
     if (chain.is_closed && n > 0)
       {

@@ -133,7 +133,7 @@ namespace Contact
   DeformedSurface<dim>::range(const unsigned int facet,
                               const unsigned int k) const
   {
-    const auto &ends = surface.facets[facet].ends_face;
+    const auto &ends = surface.facets[facet].ends_side;
     return {ends[2 * k] ? -1 - beyond_ends : -1.,
             ends[2 * k + 1] ? 1 + beyond_ends : 1.};
   }
@@ -430,7 +430,7 @@ namespace Contact
     found.facet      = facet;
     found.xi         = xi;
     found.clipped    = xi != whole;
-    const auto &ends = surface.facets[facet].ends_face;
+    const auto &ends = surface.facets[facet].ends_side;
     for (unsigned int k = 0; k < dim - 1; ++k)
       if ((coordinate(whole, k) < box[k].first && ends[2 * k]) ||
           (coordinate(whole, k) > box[k].second && ends[2 * k + 1]))

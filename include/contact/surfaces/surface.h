@@ -69,7 +69,7 @@ namespace Contact
     {
       nodes.fill(0);
       neighbors.fill(numbers::invalid_unsigned_int);
-      ends_face.fill(true);
+      ends_side.fill(true);
     }
 
     /// In the order of the shape functions.
@@ -103,7 +103,7 @@ namespace Contact
 
     /// A face ends where the surface ends, and at convex corners: beyond them
     /// nothing faces it.
-    PerSide<bool> ends_face;
+    PerSide<bool> ends_side;
 
     /// In 2-D, feature nodes: corners, and kinks from half of
     /// Surface::feature_angle on that stand alone. Those of a curve that the
@@ -206,7 +206,7 @@ namespace Contact
     /// By how much the undeformed surface turns at each node, from the middle
     /// of the edge before it to the middle of the edge behind it [rad]; at an
     /// end by a right angle. In 2-D.
-    std::vector<double> turns;
+    std::vector<double> turning_angles;
 
     unsigned int n_nodes_per_facet() const
     {

@@ -130,7 +130,7 @@ namespace Contact
           angle(reference_tangent(before, 1), reference_tangent(edge, -1));
         const double limit = numbers::PI / 180 * feature_angle;
         before.corner[1] = edge.corner[0] = std::abs(turn) > limit;
-        before.ends_face[1] = edge.ends_face[0] = turn > limit;
+        before.ends_side[1] = edge.ends_side[0] = turn > limit;
       }
   }
 
@@ -188,17 +188,17 @@ namespace Contact
   template<>
   void Surface<2>::measure_turns()
   {
-    turns.assign(nodes.size(), 0.);
+    turning_angles.assign(nodes.size(), 0.);
     const auto chord = [this](const SurfaceFacet<2> &edge) {
       return nodes[edge.nodes[1]].X - nodes[edge.nodes[0]].X;
     };
     for (const SurfaceFacet<2> &edge : facets)
       {
         if (!edge.ends_surface(0))
-          turns[edge.nodes[0]] =
+          turning_angles[edge.nodes[0]] =
             std::abs(angle(chord(facets[edge.neighbors[0]]), chord(edge)));
         if (degree == 2)
-          turns[edge.nodes[2]] = std::abs(
+          turning_angles[edge.nodes[2]] = std::abs(
             angle(reference_tangent(edge, -1), reference_tangent(edge, 1)));
       }
 
@@ -206,7 +206,7 @@ namespace Contact
     for (const SurfaceFacet<2> &edge : facets)
       for (unsigned int a = 0; a < 2; ++a)
         if (edge.ends_surface(a))
-          turns[edge.nodes[a]] = numbers::PI / 2;
+          turning_angles[edge.nodes[a]] = numbers::PI / 2;
   }
 
 
@@ -235,7 +235,7 @@ namespace Contact
     for (SurfaceFacet<2> &edge : facets)
       {
         edge.neighbors.fill(numbers::invalid_unsigned_int);
-        edge.ends_face.fill(true);
+        edge.ends_side.fill(true);
       }
     arrange();
     for (SurfaceFacet<2> &edge : facets)

@@ -115,7 +115,7 @@ namespace Contact
           const Tensor<1, 3> own  = normal_at(e, ends);
           const Tensor<1, 3> next = normal_at(facet.neighbors[s], ends);
           facet.corner[s]         = own * next < smallest_cosine;
-          facet.ends_face[s] =
+          facet.ends_side[s] =
             facet.corner[s] &&
             own * (facets[facet.neighbors[s]].middle - nodes[ends.first].X) < 0;
         }
@@ -151,7 +151,7 @@ namespace Contact
           {
             facet.neighbors[s] = numbers::invalid_unsigned_int;
             facet.corner[s]    = false;
-            facet.ends_face[s] = true;
+            facet.ends_side[s] = true;
           }
   }
 

@@ -152,12 +152,12 @@ namespace Contact
                 term.load[k] += point.C[k / dim] * load[k % dim];
             }
         const auto                     &points = interface->points();
-        std::vector<Tensor<1, dim - 1>> turns(points.size());
+        std::vector<Tensor<1, dim - 1>> rotations(points.size());
         for (const auto &term : turning)
-          turns[term.point] = term.turn;
+          rotations[term.point] = term.rotation;
         for (unsigned int k = 0; k < points.size(); ++k)
           if (points[k].status.kind != Status::open)
-            eliminate_point(points[k], turns[k], moved, u_start);
+            eliminate_point(points[k], rotations[k], moved, u_start);
       }
 
     add_contact_lines(rows, lines);
@@ -177,10 +177,11 @@ namespace Contact
 
   // Normal and tangent of a sticking point span both coordinates.
   template<int dim>
-  void ContactElimination<dim>::eliminate_point(const ContactPoint<dim>  &point,
-                                                const Tensor<1, dim - 1> &turn,
-                                                const GhostedVector &solution,
-                                                const GhostedVector &u_start)
+  void
+  ContactElimination<dim>::eliminate_point(const ContactPoint<dim>  &point,
+                                           const Tensor<1, dim - 1> &rotation,
+                                           const GhostedVector      &solution,
+                                           const GhostedVector      &u_start)
   {
     const ContactState<dim> now = interface->state(point, solution, u_start);
     const auto moves = [&](const Tensor<1, dim> &direction, const double way) {
@@ -206,7 +207,7 @@ namespace Contact
     const double by_p =
       interface->contact_pair(point).law.bound_derivative(now.p_trial);
     const Tensor<1, dim> along =
-      point.along_tangents(by_p * (point.status.direction() + turn));
+      point.along_tangents(by_p * (point.status.direction() + rotation));
     eliminate(point,
               row,
               symmetric ? row : equation(point, point.normal + along, 0));
@@ -495,10 +496,10 @@ namespace Contact
     return {discretization,
             *interface,
             eliminated,
-            SlipDirectionStiffness<dim>::turned_shears(turning,
-                                                       *interface,
-                                                       solution,
-                                                       u_start)};
+            SlipDirectionStiffness<dim>::rotated_shears(turning,
+                                                        *interface,
+                                                        solution,
+                                                        u_start)};
   }
 
 

@@ -146,7 +146,7 @@ namespace Contact
     void add_contact_lines(const RowElimination      &rows,
                            AffineConstraints<double> &to) const;
     void eliminate_point(const ContactPoint<dim>  &point,
-                         const Tensor<1, dim - 1> &turn,
+                         const Tensor<1, dim - 1> &rotation,
                          const GhostedVector      &solution,
                          const GhostedVector      &u_start);
 

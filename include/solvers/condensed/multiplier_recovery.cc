@@ -150,8 +150,9 @@ namespace Contact
         point.along_tangents(turned[share.point].shear)[share.coordinate];
     if (!factors.q.empty() || !point.status.has_direction())
       return factors;
-    const double along = point.along_tangents(
-      point.status.direction() + turned[share.point].turn)[share.coordinate];
+    const double along =
+      point.along_tangents(point.status.direction() +
+                           turned[share.point].rotation)[share.coordinate];
     factors.p     = share.factor * (normal + law.coulomb_coefficient * along);
     factors.known = share.factor * law.tresca_limit * along;
     if (dim == 3)
@@ -186,7 +187,7 @@ namespace Contact
           const double             bound =
             interface.bounds.law(points[k]).bound(tractions[k].p);
           tractions[k].q = shear_directions[k].empty()
-                             ? turned[k].shear + bound * turned[k].turn
+                             ? turned[k].shear + bound * turned[k].rotation
                              : tractions[k].q - (tractions[k].q * d) * d;
         }
     return tractions;
@@ -375,7 +376,7 @@ namespace Contact
       shifted.add(j, j, 1e-10 * largest);
     SparseDirectUMFPACK solver;
     solver.factorize(shifted);
-    for (unsigned int turn = 0; turn < 10; ++turn)
+    for (unsigned int iteration = 0; iteration < 10; ++iteration)
       {
         change = 0;
         for (const Equation &equation : system)

@@ -157,8 +157,8 @@ namespace Contact
         for (unsigned int j = 0; j < term.columns.size(); ++j)
           {
             const Tensor<1, dim> turned =
-              now.lambda_n * point.along_tangents(change.turn[j]) -
-              (now.lambda_t * change.turn[j]) * point.normal;
+              now.lambda_n * point.along_tangents(change.rotation[j]) -
+              (now.lambda_t * change.rotation[j]) * point.normal;
             for (unsigned int i = 0; i < dim; ++i)
               term.changes(n + i, j) = -point.weight * turned[i];
           }

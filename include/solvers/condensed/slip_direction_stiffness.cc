@@ -127,12 +127,12 @@ namespace Contact
         const Tensor<1, 2>  across = cross_product_2d(d);
         const Tensor<1, 2>  rigid  = across - point.stick_compliance * across;
         const double        left   = 1 - beta * (across * rigid);
-        const double share      = beta < largest * left ? beta / left : largest;
-        const Tensor<1, 2> turn = share * (rigid * d) * across;
-        const Tensor<1, 2> rest = -share * (rigid * now.lambda_t) * across;
-        const Tensor<2, 2> of_slip = c * share * outer_product(across, across);
-        all.push_back({k, turn, of_slip, rest + of_slip * whole_slip});
-        acting.push_back(bound * turn + rest);
+        const double share = beta < largest * left ? beta / left : largest;
+        const Tensor<1, 2> rotation = share * (rigid * d) * across;
+        const Tensor<1, 2> rest     = -share * (rigid * now.lambda_t) * across;
+        const Tensor<2, 2> of_slip  = c * share * outer_product(across, across);
+        all.push_back({k, rotation, of_slip, rest + of_slip * whole_slip});
+        acting.push_back(bound * rotation + rest);
       }
 
     const auto    &discretization = interface.discretization;
@@ -158,7 +158,7 @@ namespace Contact
 
   template<int dim>
   std::vector<typename SlipDirectionStiffness<dim>::Turned>
-  SlipDirectionStiffness<dim>::turned_shears(
+  SlipDirectionStiffness<dim>::rotated_shears(
     const std::vector<Term>     &terms,
     const ContactInterface<dim> &interface,
     const GhostedVector         &solution,
@@ -169,7 +169,7 @@ namespace Contact
       {
         const ContactPoint<dim> &point = interface.points()[term.point];
         turned[term.point]             = {
-                      term.turn,
+                      term.rotation,
                       term.shear_at_rest -
                         term.of_slip *
                           way(point, interface.state(point, solution, u_start))};

@@ -40,9 +40,9 @@ namespace Contact
     {
       unsigned int point;
 
-      /// The shear by tangent is d + turn times the bound, and shear_at_rest -
-      /// of_slip times the slip [MPa/mm, MPa].
-      Tensor<1, dim - 1> turn;
+      /// The shear by tangent is d + rotation times the bound, and
+      /// shear_at_rest - of_slip times the slip [MPa/mm, MPa].
+      Tensor<1, dim - 1> rotation;
       Tensor<2, dim - 1> of_slip;
       Tensor<1, dim - 1> shear_at_rest;
 
@@ -67,18 +67,18 @@ namespace Contact
                                    const GhostedVector         &u_start,
                                    const bool any_rank_may_add);
 
-    /// Of a point, the turn of the shear with the bound, and what the slip adds
-    /// to the shear in the state behind a step.
+    /// Of a point, the rotation of the shear with the bound, and what the slip
+    /// adds to the shear in the state behind a step.
     struct Turned
     {
-      Tensor<1, dim - 1> turn, shear;
+      Tensor<1, dim - 1> rotation, shear;
     };
 
     static std::vector<Turned>
-    turned_shears(const std::vector<Term>     &terms,
-                  const ContactInterface<dim> &interface,
-                  const GhostedVector         &solution,
-                  const GhostedVector         &u_start);
+    rotated_shears(const std::vector<Term>     &terms,
+                   const ContactInterface<dim> &interface,
+                   const GhostedVector         &solution,
+                   const GhostedVector         &u_start);
   };
 } // namespace Contact
 

@@ -16,29 +16,29 @@
 namespace Contact
 {
   /**
-   * A fixed-point iteration. @p turn(n), n from 1, solves under what is frozen
-   * and returns the change since it was, and whether that is small enough;
-   * where it is not, @p renew(relaxation) makes what is frozen next. Throws
-   * NotConverged after @p max_turns, with what @p change_of names.
+   * A fixed-point iteration. @p iterate(n), n from 1, solves under what is
+   * frozen and returns the change since it was, and whether that is small
+   * enough; where it is not, @p renew(relaxation) makes what is frozen next.
+   * Throws NotConverged after @p max_iterations, with what @p change_of names.
    */
-  template<class Turn, class Renew>
+  template<class Iterate, class Renew>
   void fixed_point(const std::string &change_of,
-                   const unsigned int max_turns,
-                   const Turn        &turn,
+                   const unsigned int max_iterations,
+                   const Iterate     &iterate,
                    const Renew       &renew)
   {
     double     change = 0;
     Relaxation relaxation;
-    for (unsigned int n = 1; n <= max_turns; ++n)
+    for (unsigned int n = 1; n <= max_iterations; ++n)
       {
-        const std::pair<double, bool> end = turn(n);
+        const std::pair<double, bool> end = iterate(n);
         if (end.second)
           return;
         change = end.first;
         renew(relaxation);
       }
     throw NotConverged("the " + change_of + " of " + brief(change) + " after " +
-                       std::to_string(max_turns) + " turns");
+                       std::to_string(max_iterations) + " iterations");
   }
 } // namespace Contact
 

@@ -177,7 +177,7 @@ namespace Contact
     if (after_a_step && n > 0)
       ++model.discretization->counters.active_set_changes;
     // As the search does. Without the search statuses change from step to step,
-    // and a reset would begin each turn of the friction loop anew.
+    // and a reset would begin each iteration of the friction loop anew.
     if (system->has_multipliers() && after_a_step && !interface.bounds.follow)
       interface.bounds.reset_of_open_points();
     if (after_a_step && single_changes)
@@ -392,21 +392,21 @@ namespace Contact
   {
     if (!searches)
       return 0;
-    unsigned int        n         = 0;
-    const unsigned int  max_turns = 10;
-    const double        little    = 0.01; // of the residual
-    const GhostedVector first     = state.solution;
-    const auto          statuses  = model.interface->active_set.statuses();
+    unsigned int        n              = 0;
+    const unsigned int  max_iterations = 10;
+    const double        little         = 0.01; // of the residual
+    const GhostedVector first          = state.solution;
+    const auto          statuses       = model.interface->active_set.statuses();
     const double        largest =
       first.linfty_norm() / std::numeric_limits<double>::epsilon();
     step.continues = true;
-    for (unsigned int turn = 0; searches; ++turn)
+    for (unsigned int iteration = 0; searches; ++iteration)
       {
         if (!change_statuses(little * step.residual))
           break;
         n += system->make_step(step, rhs, state);
         const bool is_solution = state.solution.linfty_norm() <= largest;
-        searches               = turn + 1 < max_turns && is_solution;
+        searches               = iteration + 1 < max_iterations && is_solution;
         if (!is_solution)
           {
             state.solution = first;

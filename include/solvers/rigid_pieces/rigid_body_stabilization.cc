@@ -184,8 +184,9 @@ namespace Contact
 
 
   template<int dim>
-  void RigidBodyStabilization<dim>::give_up(const Work        &work,
-                                            const unsigned int n_turns) const
+  void
+  RigidBodyStabilization<dim>::give_up(const Work        &work,
+                                       const unsigned int n_iterations) const
   {
     const auto motion =
       std::find_if(held.begin(), held.end(), [&](const RigidBodyMode &motion) {
@@ -195,7 +196,7 @@ namespace Contact
     message << "nothing stops " << model.mesh->piece_name(motion->piece)
             << " in its " << motion->name << ": stabilization still carries "
             << work.force << " N" << model.discretization->per_thickness()
-            << " after " << n_turns << " turns";
+            << " after " << n_iterations << " iterations";
     throw NotConverged(message.str());
   }
 

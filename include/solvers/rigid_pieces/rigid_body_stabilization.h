@@ -77,7 +77,7 @@ namespace Contact
 
     /// Throws NotConverged: nothing stops the piece.
     [[noreturn]] void give_up(const Work        &work,
-                              const unsigned int n_turns) const;
+                              const unsigned int n_iterations) const;
 
   private:
     const ContactModel<dim> &model;

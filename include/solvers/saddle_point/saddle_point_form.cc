@@ -93,7 +93,7 @@ namespace Contact
 
 
 
-  // In loops around Newton's method little changes from turn to turn. With
+  // In loops around Newton's method little changes from one to the next. With
   // the pairing in the tangent there are none: it is there for its
   // quadratic convergence.
   bool SaddlePointForm::keeps_factorization(const ContactModel<2> &model,
