@@ -22,28 +22,13 @@ from __future__ import annotations
 
 import argparse
 import sys
-from dataclasses import dataclass, field
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-import roundness  # noqa: E402, of the folder of this file
-
-# meshio's name -> gmsh's type, dimension, number of nodes that gmsh's type has.
-TYPES = {"vertex": (15, 0, 1), "line": (1, 1, 2), "line3": (8, 1, 3),
-         "triangle": (2, 2, 3), "triangle6": (9, 2, 6), "triangle7": (9, 2, 6),
-         "quad": (3, 2, 4), "quad8": (16, 2, 8), "quad9": (10, 2, 9),
-         "hexahedron": (5, 3, 8), "hexahedron20": (17, 3, 20),
-         "hexahedron27": (12, 3, 27)}
-
-# The nodes behind the corners of hexahedra in gmsh's order, by their place in
-# meshio's, which is VTK's.
-GMSH_ORDER = {"hexahedron20": [8, 11, 16, 9, 17, 10, 18, 19, 12, 15, 13, 14]}
-GMSH_ORDER["hexahedron27"] = GMSH_ORDER["hexahedron20"] + [24, 22, 20, 21, 23,
-                                                           25, 26]
-
-# Names of what is no hexahedron, of meshio's and of MED.
-OTHER_VOLUMES = ("tetra", "wedge", "pyramid", "TE4", "T10", "PE6", "P15", "P18",
-                 "PY5", "P13")
+# Of the folder of this file.
+import abaqus  # noqa: E402
+import roundness  # noqa: E402
+from named_mesh import TYPES, BadMesh, Element, Mesh, msh_text  # noqa: E402
 
 # MED's name -> meshio's.
 MED_TYPES = {"PO1": "vertex", "SE2": "line", "SE3": "line3", "TR3": "triangle",
@@ -54,61 +39,6 @@ MED_TYPES = {"PO1": "vertex", "SE2": "line", "SE3": "line3", "TR3": "triangle",
 # MED's.
 MED_ORDER = {"hexahedron27": [*range(20), 24, 22, 21, 23, 20, 25, 26]}
 MED_ENDS = (".med", ".mmed", ".rmed")
-
-
-class BadMesh(Exception):
-    """What is wrong, where, and the remedy, as the program says it."""
-
-    def __init__(self, what: str, where: str, remedy: str):
-        super().__init__(f"error:  {what}\nwhere:  {where}\nremedy: {remedy}")
-
-
-@dataclass
-class Element:
-    kind: str  # meshio's name of the type
-    nodes: list[int]
-    groups: set[str] = field(default_factory=set)
-
-    @property
-    def dimension(self) -> int:
-        return TYPES[self.kind][1]
-
-
-@dataclass
-class Mesh:
-    points: list[list[float]]
-    elements: list[Element] = field(default_factory=list)
-    node_groups: dict[str, list[int]] = field(default_factory=dict)
-
-    @property
-    def dimension(self) -> int:
-        """That of its bodies: 3 if it has volumes."""
-        return max([2] + [e.dimension for e in self.elements])
-
-    @property
-    def kinds(self) -> tuple[str, ...]:
-        """What groups are, by dimension."""
-        return ("points", "boundaries", "bodies") if self.dimension == 2 else \
-            ("points", "curves", "boundaries", "bodies")
-
-    def of_dimension(self, dimension: int) -> list[Element]:
-        return [e for e in self.elements if e.dimension == dimension]
-
-    def add(self, kind: str, nodes, groups, path: Path) -> None:
-        """A block of equal elements with the groups of each."""
-        if kind.startswith(OTHER_VOLUMES):
-            raise BadMesh("the mesh has tetrahedra, prisms or pyramids (elements "
-                          f"of type {kind})", str(path),
-                          "mesh volumes with hexahedra of 8, 20 or 27 nodes, by "
-                          "extrusion or mapping of quadrangles")
-        if kind not in TYPES:
-            raise BadMesh(f"the mesh has elements of type {kind}", str(path),
-                          "mesh a plane surface with lines, triangles and "
-                          "quadrangles, or volumes with hexahedra, of first or "
-                          "second order")
-        self.elements += [
-            Element(kind, [int(n) for n in numbers[:TYPES[kind][2]]], set(names))
-            for numbers, names in zip(nodes, groups)]
 
 
 # ------------------------------------------------------------------------ MED
@@ -203,7 +133,7 @@ def block_groups(mesh, number: int) -> list[set[str]]:
         for i, tag in enumerate(mesh.cell_data["gmsh:physical"][number]):
             groups[i].update({names[tag]} if tag in names else ())
 
-    # Abaqus, Exodus, ...: sets of elements; meshio's own ones have a colon.
+    # Exodus, ...: sets of elements; meshio's own ones have a colon.
     for name, blocks in mesh.cell_sets.items():
         if ":" not in name and blocks[number] is not None:
             for i in blocks[number]:
@@ -230,12 +160,15 @@ def read_by_meshio(path: Path) -> Mesh:
 
 # ---------------------------------------------------------------- both of them
 
-def read(path: Path) -> Mesh:
+def read(path: Path, bodies: list[str]) -> tuple[Mesh, abaqus.Case | None]:
+    """The mesh, and of an Abaqus deck the case."""
     if not path.is_file():
         raise BadMesh("the file does not exist", str(path), "check the name")
-    is_med = path.suffix.lower() in MED_ENDS
+    end = path.suffix.lower()
     try:
-        return (read_med if is_med else read_by_meshio)(path)
+        if end == ".inp":
+            return abaqus.read(path, bodies)
+        return (read_med if end in MED_ENDS else read_by_meshio)(path), None
     except BadMesh:
         raise
     # Readers are many, and each has errors of its own.
@@ -303,28 +236,17 @@ def check_plane(mesh: Mesh, path: Path) -> None:
                           "turn it into a plane of constant z, or mesh volumes")
 
 
-def write(mesh: Mesh, path: Path) -> None:
-    """MSH 2.2, where an element stands once for each of its groups."""
-    names = sorted({(e.dimension, name) for e in mesh.elements
-                    for name in e.groups})
-    tags = {name: tag for tag, name in enumerate(names, 1)}
-    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat",
-             "$PhysicalNames", str(len(names))]
-    lines += [f'{dimension} {tag} "{name}"'
-              for (dimension, name), tag in tags.items()]
-    lines += ["$EndPhysicalNames", "$Nodes", str(len(mesh.points))]
-    for number, point in enumerate(mesh.points, 1):
-        x, y, z = [*point, 0.0, 0.0][:3]
-        lines.append(f"{number} {x!r} {y!r} {z!r}")
-    rows = [(TYPES[e.kind][0], tags[e.dimension, name],
-             e.nodes[:8] + [e.nodes[i] for i in GMSH_ORDER[e.kind]]
-             if e.kind in GMSH_ORDER else e.nodes)
-            for e in mesh.elements for name in sorted(e.groups)]
-    lines += ["$EndNodes", "$Elements", str(len(rows))]
-    for number, (kind, tag, nodes) in enumerate(rows, 1):
-        lines.append(f"{number} {kind} 2 {tag} {tag} "
-                     + " ".join(str(node + 1) for node in nodes))
-    path.write_text("\n".join(lines + ["$EndElements", ""]))
+def write(texts: dict[Path, str]) -> None:
+    """All of the files, or none of them."""
+    parts = {path: path.with_name(path.name + ".part") for path in texts}
+    try:
+        for path, part in parts.items():
+            part.write_text(texts[path])
+        for path, part in parts.items():
+            part.replace(path)
+    finally:
+        for part in parts.values():
+            part.unlink(missing_ok=True)
 
 
 def describe(mesh: Mesh) -> None:
@@ -348,12 +270,22 @@ def main() -> None:
                         "all without")
     arguments = parser.parse_args()
     bodies = [name for name in arguments.bodies.split(",") if name]
-    mesh = read(arguments.input)
+    mesh, case = read(arguments.input, bodies)
     name_points(mesh)
     check(mesh, arguments.input, bodies)
-    write(mesh, arguments.output)
-    roundness.report(mesh)
+    texts = {arguments.output: msh_text(mesh)}
+    if case and case.is_one:
+        prm = arguments.output.with_suffix(".prm")
+        case.check_place(prm)
+        texts[prm] = case.prm(arguments.output)
+    write(texts)
+    for line in case.report() if case else ():
+        print(line)
+    if not (case and case.is_round):
+        roundness.report(mesh)
     describe(mesh)
+    for path in list(texts)[1:]:
+        print(f"case: {path}")
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from convert import Mesh
+    from named_mesh import Mesh
 
 TOLERANCE = 1e-5  # of the radius, as the program has it (Arc::tolerance)
 
