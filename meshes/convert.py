@@ -28,7 +28,8 @@ sys.dont_write_bytecode = True
 # Of the folder of this file.
 import abaqus  # noqa: E402
 import roundness  # noqa: E402
-from named_mesh import TYPES, BadMesh, Element, Mesh, msh_text  # noqa: E402
+from named_mesh import (OTHER_VOLUMES, TYPES, BadMesh, Element,  # noqa: E402
+                        Mesh, msh_text)
 
 # MED's name -> meshio's.
 MED_TYPES = {"PO1": "vertex", "SE2": "line", "SE3": "line3", "TR3": "triangle",
@@ -218,7 +219,8 @@ def check(mesh: Mesh, path: Path, bodies: list[str]) -> None:
     if mesh.dimension == 2:
         check_plane(mesh, path)
     for face in mesh.of_dimension(2) if mesh.dimension == 3 else ():
-        if face.groups and face.kind.startswith("triangle"):
+        if face.groups and face.kind.startswith("triangle") \
+                and "tetra" in OTHER_VOLUMES:
             raise BadMesh(f"the group '{min(face.groups)}' has triangles, which "
                           "are no faces of hexahedra", str(path),
                           "mesh the surfaces of volumes with quadrangles")

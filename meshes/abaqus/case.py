@@ -67,6 +67,7 @@ class Case:
         self.steps: list[Step] = []
         self.loads: dict[tuple[str, str], Load] = {}
         self.body_forces: list[tuple] = []
+        self.weighed: set[int] = set()  # materials whose density is used
         self.ending: list[tuple[int, Load, Block]] = []
         self.transformed: set[int] = set()
         self.large = self.is_round = False
@@ -95,10 +96,19 @@ class Case:
         for section, obstacle in self.moving:
             obstacle.entries(self, section)
         self.put("Output", "VTU", "true")
+        entries = self.entries.get("Boundary conditions", {})
+        if "Histories" in entries:  # behind all others
+            entries["Histories"] = entries.pop("Histories")
+
+    @property
+    def n_steps(self) -> int:
+        return max(1, len(self.steps))
 
     def leave(self, at: Block | Row, why: str) -> None:
         """Notes what is not in the case."""
-        _, line, title = at.where.rsplit(", ", 2)
+        path, line, title = at.where.rsplit(", ", 2)
+        if path != str(self.deck.path):
+            line += f" of {path}"
         if (line, title, why) not in self.left_out:
             self.left_out.append((line, title, why))
 
@@ -153,9 +163,14 @@ class Case:
         """What is left out, one line for each reason of a keyword."""
         found: dict[tuple[str, str], list[str]] = {}
         for line, title, why in self.left_out:
-            found.setdefault((title, why), []).append(line.removeprefix("line "))
+            found.setdefault((title, why), []).append(line.split(" ", 1)[1])
+
+        def first(lines: list[str]) -> int:
+            return int(lines[0].split()[0])
+
         return [f"left out: {title}, line {', '.join(lines)}: {why}"
-                for (title, why), lines in found.items()]
+                for (title, why), lines in sorted(
+                    found.items(), key=lambda item: first(item[1]))]
 
     def prm(self, mesh: Path) -> str:
         lines = [MARK + self.deck.path.name]

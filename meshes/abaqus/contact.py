@@ -92,23 +92,26 @@ class Obstacle:
         return [number for point in (*found, points[-1]) for number in point]
 
     def entries(self, case: Case, section: str) -> None:
-        n = max(1, len(case.steps))
-        names = {**dict(enumerate("xy", 1)), 6: "angle"}
-        for loads, entry in ((self.motions, "Obstacle motion"),
-                             (self.forces, "Obstacle force")):
-            for dof, load in sorted(loads.items()):
-                if dof == 6:
-                    scale = math.degrees(1) if loads is self.motions else 1
-                else:
-                    scale = 1
-                corners = [(t, v * scale) for t, v in load.table(n)]
-                if any(v for _, v in corners):
-                    value = (f"{text(corners[-1][1])}*t" if len(corners) == 2 and
-                             corners[0][1] == 0 else as_table(corners))
-                    if dof == 6 and loads is self.forces:
-                        case.put(section, "Obstacle moment", value)
-                    else:
-                        case.put(section, entry, f"{names[dof]}: {value}")
+        is_ring = case.deck.cells[0].code.startswith("CAX")
+        names = {2: "y"} if is_ring else {1: "x", 2: "y", 6: "angle"}
+        for dof, name in names.items():
+            load = self.motions.get(dof) or self.forces.get(dof)
+            if load is None:
+                case.leave(self.block, f"the motion {name} of the reference node, "
+                           "which is free: here there is none")
+                continue
+            is_motion = dof in self.motions
+            scale = math.degrees(1) if dof == 6 and is_motion else 1
+            corners = [(t, v * scale) for t, v in load.table(case.n_steps)]
+            value = (f"{text(corners[-1][1])}*t" if len(corners) == 2 and
+                     corners[0][1] == 0 else as_table(corners))
+            if not any(v for _, v in corners):
+                continue
+            if dof == 6 and not is_motion:
+                case.put(section, "Obstacle moment", value)
+            else:
+                case.put(section, "Obstacle motion" if is_motion
+                         else "Obstacle force", f"{name}: {value}")
         if self.node is not None and (self.motions or self.forces):
             case.put(section, "Obstacle centre",
                      join(*case.deck.points[self.node][:2]))
@@ -231,25 +234,25 @@ def add_pair(case: Case, scope: Scope, row: Row, entries: dict[str, str]) -> Non
         case.leave(row, "contact of a surface with itself: give two groups of it")
         return
     surface = case.deck.find(scope, "surface", slave, row)
-    entries = {"Slave": case.groups.surface(surface), **entries}
+    names = {"Slave": case.groups.surface(surface)}
     obstacle = case.obstacles.get(master.rpartition(".")[2].upper())
-    section = case.section_of_pair(entries["Slave"])
+    section = case.section_of_pair(names["Slave"])
     if obstacle:
         nodes = {n for facet in surface.members for n in facet}
         try:
-            entries["Obstacle"] = obstacle.shape(
+            names["Obstacle"] = obstacle.shape(
                 [tuple(case.deck.points[n][:2]) for n in sorted(nodes)])
         except NotAnObstacle as why:
             case.leave(row, str(why))
             return
-        if entries["Obstacle"].startswith("profile"):
+        if names["Obstacle"].startswith("profile"):
             case.leave(obstacle.block, "the ends of the profile: they go on "
                        "straight for ever")
         case.moving.append((section, obstacle))
     else:
-        entries["Master"] = case.groups.surface(
+        names["Master"] = case.groups.surface(
             case.deck.find(scope, "surface", master, row))
-    for entry, value in entries.items():
+    for entry, value in {**names, **entries}.items():
         case.put(section, entry, value)
 
 

@@ -23,6 +23,7 @@ class Groups:
         self.facets: dict[frozenset[int], Element] = {}
         self.taken: dict[str, frozenset] = {}  # boundary -> its facets
         self.supported: dict[str, tuple[list[str], list[int]]] = {}
+        self.used = {n for c in deck.cells for n in c.nodes}
         self.corners = {n for c in deck.cells if self.is_cell(c)
                         for n in c.nodes[:N_CORNERS.get(c.shape, 8)]}
         self.labels = {n: label for s in deck.scopes.values()
@@ -131,7 +132,8 @@ class Groups:
         alone = len(corners) == 1 and not groups
         groups += [self.point(name if alone else f"{name}_{self.labels[n]}", n)
                    for n in corners]
-        self.supported[name] = groups, sorted(left - self.corners)
+        self.supported[name] = groups, sorted(
+            left & self.used - self.corners)
         return self.supported[name]
 
     def edges_within(self, nodes: set[int], new: set[int]) -> list[list[int]]:
@@ -148,6 +150,8 @@ class Groups:
     def add_node_sets(self) -> None:
         """Those that the case has not asked for keep their names where they are
         one node or boundaries, but not of whole bodies."""
+        bodies = [{n for c in cells for n in self.deck.cells[c].nodes}
+                  for cells in self.body_cells.values()]
         for scope in self.deck.scopes.values():
             for group in scope.sets["node"].values():
                 name = self.deck.title(scope, group.name)
@@ -157,15 +161,7 @@ class Groups:
                     continue
                 if len(nodes) == 1 and nodes <= self.corners:
                     self.point(name, group.members[0])
-                elif facets and len(facets) < len(self.deck.free_facets()) \
-                        and not self.has_body(nodes):
+                elif facets and not any(nodes >= body for body in bodies):
                     self.boundary(name, facets, "_nodes")
                 elif nodes & self.corners:
                     self.mesh.node_groups[name] = group.members
-
-    def has_body(self, nodes: set[int]) -> bool:
-        of_bodies: dict[str, set[int]] = {}
-        for e in self.mesh.of_dimension(self.deck.dimension):
-            for name in e.groups:
-                of_bodies.setdefault(name, set()).update(e.nodes)
-        return any(nodes >= body for body in of_bodies.values())

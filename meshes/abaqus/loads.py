@@ -208,6 +208,10 @@ def put_body_forces(case: Case, bodies) -> None:
             elif own & within:
                 case.leave(target.row, "a force on a part of the body "
                            f"'{body.name}': make it a body with --bodies")
+    for material in case.materials.values():
+        if "DENSITY" in material and id(material) not in case.weighed:
+            case.leave(material["DENSITY"], "statics have no inertia; *DLOAD, GRAV "
+                       "would use it")
 
 
 def take_dsload(case: Case, block: Block, scope: Scope) -> None:
@@ -230,7 +234,7 @@ def take_dsload(case: Case, block: Block, scope: Scope) -> None:
 
 def put_loads(case: Case) -> None:
     """All loads of each entry, with their history."""
-    section, n_steps = "Boundary conditions", max(1, len(case.steps))
+    section, n_steps = "Boundary conditions", case.n_steps
     for n, load, block in case.ending:
         if load.step < n:
             case.leave(block, f"OP=NEW: the support '{load.group}' does not end")

@@ -244,9 +244,11 @@ class Deck:
 
     def title(self, scope: Scope, name: str) -> str:
         """A name, with the instance where another one has it as well."""
-        others = [s for s in self.scopes.values() if s is not scope and any(
-            name.upper() in sets for sets in s.sets.values())]
-        return f"{scope.name}.{name}" if name and others and scope.name else name
+        if not scope.name or not name:
+            return name
+        is_taken = any(name.upper() in sets for s in self.scopes.values()
+                       if s is not scope for sets in s.sets.values())
+        return f"{scope.name}.{name}" if is_taken else name
 
     def find(self, scope: Scope, kind: str, text: str, row: Row | Block) -> Set:
         """The set or surface that a name, maybe INSTANCE.NAME, stands for."""
@@ -337,10 +339,12 @@ class Deck:
             return [facet for facet, cell in self.free_facets() if cell in own]
         found = []
         for cell in (self.cells[c] for c in cells):
-            faces = FACES[cell.shape] if cell.shape in FACES else ()
+            faces = FACES.get(cell.shape, ())
             number = int(face[1:]) if re.fullmatch(r"S[1-9]", face) else 0
             if cell.code in SURFACE_SHAPES and face in ("SPOS", "SNEG"):
                 found.append(cell.nodes)
+            elif cell.shape not in FACES:
+                pass  # a volume that is refused
             elif 1 <= number <= len(faces):
                 found.append(cell.facet(faces[number - 1]))
             else:

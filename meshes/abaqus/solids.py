@@ -29,8 +29,6 @@ def take_law(case: Case, block: Block, scope: Scope) -> None:
     if case.material is None:
         block.fault("no material is begun", "write *MATERIAL, NAME=NAME before")
     case.material[block.keyword] = block
-    if block.keyword == "DENSITY":
-        case.leave(block, "statics have no inertia; *DLOAD, GRAV alone takes it")
 
 
 def first_temperature(case: Case, block: Block, field: int) -> list[Row]:
@@ -140,6 +138,7 @@ class Body:
         if "DENSITY" not in self.material:
             row.fault(f"the body '{self.name}' has no density",
                       "add *DENSITY to its material")
+        self.case.weighed.add(id(self.material))
         return self.material["DENSITY"].rows[0].number(0)
 
 

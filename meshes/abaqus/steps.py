@@ -111,7 +111,7 @@ class Load:
 
 
 def text(value: float) -> str:
-    return f"{value:.12g}"
+    return f"{value + 0.0:.12g}"  # no -0
 
 
 def as_table(corners) -> str:
