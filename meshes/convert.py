@@ -4,8 +4,8 @@
 
     convert.py [--bodies NAME,NAME] IN OUT.msh
 
-IN is a MED file (Code_Aster, Salome; 2.2 to 4) or of any format that meshio
-reads. Groups keep their names: in 2-D groups of faces become bodies and
+IN is a MED file (Code_Aster, Salome; 2.2 to 4), an Abaqus deck (.inp; what it has
+beside the mesh goes to OUT.prm) or of any format that meshio reads. Groups keep their names: in 2-D groups of faces become bodies and
 groups of lines the parts of their boundaries, in 3-D (hexahedra) groups of
 volumes and groups of faces; point elements and groups of one node become the
 named points. Every cell needs one body; --bodies says which groups of cells are
@@ -15,7 +15,8 @@ with the circle for Mesh/Arcs (in 3-D the sphere, cylinder or cone for
 Mesh/Spheres, Cylinders or Cones) where a group is one, and with a note on stderr
 where it becomes straight. Exit status: 0, or 2 if IN cannot be converted.
 
-For Debian's Python with python3-h5py (MED) and python3-meshio (the others).
+For Debian's Python with python3-h5py (MED) and python3-meshio (the others); Abaqus
+decks need neither.
 """
 
 from __future__ import annotations

@@ -142,6 +142,7 @@ ELSEWHERE = {
         "program/convert, with a file of its own",
     "./run tests/reference/published/[a-g].prm --set Mesh/File=$PWD/aster.msh":
         "program/convert, with a file of its own",
+    "meshes/convert.py deck.inp deck.msh": "program/abaqus",
     "ctest -R convert": "program/convert",
     "tests/reference_table.py build": "modelings/reference_mesh, its input",
 }

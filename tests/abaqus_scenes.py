@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Boxes of elements as Abaqus decks, converted and run, for the scripts beside
+this one. The first argument of a script is the program."""
+
+import itertools
+import math
+import pathlib
+import subprocess
+import sys
+
+import block_scenes
+from block_scenes import solve
+
+CONVERTER = pathlib.Path(__file__).resolve().parents[1] / "meshes/convert.py"
+
+# Nodes of elements in half steps, as Abaqus numbers them, and the faces of boxes.
+QUAD = ((0, 0), (2, 0), (2, 2), (0, 2), (1, 0), (2, 1), (1, 2), (0, 1))
+BRICK = ((0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0),
+         (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2),
+         (1, 0, 0), (2, 1, 0), (1, 2, 0), (0, 1, 0),
+         (1, 0, 2), (2, 1, 2), (1, 2, 2), (0, 1, 2),
+         (0, 0, 1), (2, 0, 1), (2, 2, 1), (0, 2, 1))
+QUAD_FACES = {"y0": "S1", "x1": "S2", "y1": "S3", "x0": "S4"}
+BRICK_FACES = {"z0": "S1", "z1": "S2", "y0": "S3", "x1": "S4", "y1": "S5",
+               "x0": "S6"}
+
+
+def check(what, ok, detail=""):
+    block_scenes.check(what, ok, "" if ok else detail)
+
+
+class Box:
+    """A lattice of elements, the image of a unit square or cube."""
+
+    def __init__(self, name, code, n, chart, first=1):
+        self.name, self.n, self.code = name, n, code
+        offsets = QUAD if len(n) == 2 else BRICK
+        offsets = offsets[:int(code.strip("CPESAXD3RI"))] if "C3D" not in code \
+            else offsets[:20 if "20" in code else 8]
+        self.faces = QUAD_FACES if len(n) == 2 else BRICK_FACES
+        self.places, self.label, self.cells = {}, {}, {}
+        for cell in itertools.product(*(range(0, 2 * m, 2) for m in n)):
+            nodes = []
+            for offset in offsets:
+                i = tuple(map(sum, zip(cell, offset)))
+                if i not in self.label:
+                    self.label[i] = first + len(self.label)
+                    self.places[i] = chart(*(c / (2 * m) for c, m in zip(i, n)))
+                nodes.append(self.label[i])
+            self.cells[cell] = first + len(self.cells), nodes
+
+    def is_on(self, i, side):
+        d = "xyz".index(side[0])
+        return i[d] == 2 * self.n[d] * int(side[1])
+
+    def text(self):
+        """Nodes, elements, sets and surfaces NAME_x0 ..."""
+        lines = ["*NODE"]
+        lines += [f"{self.label[i]}, " + ", ".join(map(repr, map(float, p)))
+                  for i, p in self.places.items()]
+        lines += [f"*ELEMENT, TYPE={self.code}, ELSET={self.name}"]
+        for label, nodes in self.cells.values():
+            numbers = [label, *nodes]
+            lines += [", ".join(map(str, numbers[:12])) + ","
+                      * (len(numbers) > 12)]
+            lines += [", ".join(map(str, numbers[12:]))] * (len(numbers) > 12)
+        for side, face in self.faces.items():
+            d = "xyz".index(side[0])
+            last = 2 * self.n[d] - 2 if side[1] == "1" else 0
+            lines += [f"*NSET, NSET={self.name}_{side}"]
+            lines += [f"{self.label[i]}" for i in self.label
+                      if self.is_on(i, side)]
+            lines += [f"*ELSET, ELSET={self.name}_{side}_cells"]
+            lines += [f"{label}" for cell, (label, _) in self.cells.items()
+                      if cell[d] == last]
+            lines += [f"*SURFACE, NAME={self.name}_{side}_face",
+                      f"{self.name}_{side}_cells, {face}"]
+        return "\n".join([*lines, ""])
+
+
+def elastic(*bodies, modulus=1000, ratio=0.25):
+    return "".join(f"*SOLID SECTION, ELSET={body}, MATERIAL=Steel\n"
+                   for body in bodies) + \
+        f"*MATERIAL, NAME=Steel\n*ELASTIC\n{modulus}, {ratio}\n"
+
+
+def convert(name, deck, *options):
+    pathlib.Path(f"{name}.inp").write_text(deck)
+    return subprocess.run([sys.executable, CONVERTER, f"{name}.inp",
+                           f"{name}.msh", *options], text=True,
+                          capture_output=True)
+
+
+def values(name, deck, probes, *settings):
+    """Values of the converted deck by the names of the probes."""
+    done = convert(name, deck)
+    if done.returncode:
+        return {}, done.stderr
+    _, said, summary = solve(pathlib.Path(f"{name}.prm"), "Output/VTU=false",
+                             f"Probes/Probes={probes}", *settings)
+    return {p["name"]: p["value"] for p in summary.get("probes", ())}, \
+        done.stdout + done.stderr + said
+
+
+def compare(what, found, expected, tolerance):
+    found, said = found
+    off = {name: abs(found.get(name, math.nan) - value)
+           / max(1e-300, abs(value)) for name, value in expected.items()}
+    check(what, all(x <= tolerance for x in off.values()),
+          f"off by {off} {said}")
