@@ -5,7 +5,8 @@
     convert.py [--bodies NAME,NAME] IN OUT.msh
 
 IN is a MED file (Code_Aster, Salome; 2.2 to 4), an Abaqus deck (.inp; what it has
-beside the mesh goes to OUT.prm) or of any format that meshio reads. Groups keep their names: in 2-D groups of faces become bodies and
+beside the mesh goes to OUT.prm) or of any format that meshio reads. Groups keep
+their names: in 2-D groups of faces become bodies and
 groups of lines the parts of their boundaries, in 3-D (hexahedra) groups of
 volumes and groups of faces; point elements and groups of one node become the
 named points. Every cell needs one body; --bodies says which groups of cells are

@@ -28,12 +28,7 @@ GMSH_EDGES = ((0, 1), (0, 3), (0, 4), (1, 2), (1, 5), (2, 3), (2, 6), (3, 7),
               (4, 5), (4, 7), (5, 6), (6, 7))
 
 
-def friction():
-    """A block pressed on another one, then dragged."""
-    deck = ("*Heading\nA block\n** a comment\n"
-            + Box("Low", "CPE4", (8, 3), box(-20, -10, 20, 0)).text()
-            + Box("Up", "CPE4R", (5, 3), box(-8, 0, 9, 7), 1000).text()
-            + elastic("Low", "Up") + """*SURFACE INTERACTION, NAME=Rough
+PRESS_AND_DRAG = """*SURFACE INTERACTION, NAME=Rough
 *FRICTION
  0.3,
 *CONTACT PAIR, INTERACTION=rough, TYPE=SURFACE TO SURFACE
@@ -53,7 +48,15 @@ Up_y1, 2, 2, -0.02
 *BOUNDARY
 Up_y1, 1, 1, 0.01
 *END STEP
-""")
+"""
+
+
+def friction():
+    """A block pressed on another one, then dragged."""
+    deck = ("*Heading\nA block\n** a comment\n"
+            + Box("Low", "CPE4", (8, 3), box(-20, -10, 20, 0)).text()
+            + Box("Up", "CPE4R", (5, 3), box(-8, 0, 9, 7), 1000).text()
+            + elastic("Low", "Up") + PRESS_AND_DRAG)
     mesh = Mesh()
     mesh.block("Low", 8, 3, box(-20, -10, 20, 0),
                {"bottom": "Base", "top": "Ground"})

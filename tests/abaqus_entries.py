@@ -260,6 +260,8 @@ FAULTS = (
     ("a part", None, "*INSTANCE, NAME=A, PART=B\n*END INSTANCE\n",
      "there is no part 'B'", "12, *INSTANCE",
      "parts stand before the assembly: none"),
+    ("an instance without its end", None, "*PART, NAME=A\n*INSTANCE, NAME=A1\n",
+     "*PART does not end", "12, *PART", "write *END PART before line 13"),
     ("a file", None, "*INCLUDE, INPUT=absent.inp\n",
      "the file 'absent.inp' does not exist", "12, *INCLUDE", "correct INPUT="),
 )

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -29,9 +30,12 @@ class Row:
         if not text:
             return without
         try:
-            return float(re.sub("[dD]", "e", text))
+            value = float(re.sub("[dD]", "e", text))
         except ValueError:
+            value = math.nan
+        if not math.isfinite(value):
             self.fault(f"'{text}' is no number", f"write a number in field {i + 1}")
+        return value
 
     def integer(self, i: int) -> int:
         text = self.text(i)

@@ -39,6 +39,8 @@ def take_step(case: Case, block: Block, scope: Scope) -> None:
 
 
 def take_static(case: Case, block: Block, scope: Scope) -> None:
+    if not case.steps:
+        block.fault("no step is begun", "write *STEP before")
     case.steps[-1].read_static(block)
     for option in ("RIKS", "STABILIZE"):
         if option in block.options:

@@ -148,19 +148,30 @@ class Deck:
     def instances(self, blocks: list[Block]) -> list[Block]:
         """Takes the blocks of instances; returns those of the assembly."""
         parts: dict[str, list[Block]] = {}
-        own, inside = [], None
+        own: list[Block] = []
+        start, inside = None, own
         for block in blocks:
-            if block.keyword == "PART":
-                inside = parts.setdefault(block.need("NAME").upper(), [])
-            elif block.keyword == "INSTANCE":
-                inside, start = [], block
-            elif block.keyword == "ENDINSTANCE":
-                self.add_instance(start, parts, inside)
-                inside = None
-            elif block.keyword == "ENDPART":
-                inside = None
+            if block.keyword in ("PART", "INSTANCE"):
+                if start:
+                    start.fault(f"{start.title} does not end",
+                                start.title.replace("*", "write *END ")
+                                + f" before line {block.line}")
+                start, inside = block, []
+                block.need("NAME")
+            elif block.keyword in ("ENDPART", "ENDINSTANCE"):
+                if not start or block.keyword != "END" + start.keyword:
+                    block.fault(f"nothing ends with {block.title}",
+                                "delete it, or write what it ends before")
+                if block.keyword == "ENDPART":
+                    parts[start.need("NAME").upper()] = inside
+                else:
+                    self.add_instance(start, parts, inside)
+                start, inside = None, own
             elif block.keyword not in ("ASSEMBLY", "ENDASSEMBLY"):
-                (own if inside is None else inside).append(block)
+                inside.append(block)
+        if start:
+            start.fault(f"{start.title} does not end",
+                        start.title.replace("*", "write *END "))
         return own
 
     def add_instance(self, start: Block, parts, own: list[Block]) -> None:

@@ -7,8 +7,6 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from named_mesh import TYPES
-
 from .deck import Block, Row
 from .parts import Cell, Scope
 from .steps import text
@@ -121,7 +119,8 @@ class Body:
             case.leave(block, "hardening is isotropic or, of two rows, kinematic: "
                        "the body is elastic")
             return
-        if curve[0][0] != 0 or curve != sorted(set(curve)):
+        strains = [strain for strain, _ in curve]
+        if strains[0] != 0 or strains != sorted(set(strains)):
             rows[0].fault("plastic strains have to begin with 0 and grow",
                           "write yield stress, plastic strain")
         self.is_plastic = True
@@ -135,7 +134,7 @@ class Body:
                 text(x) for point in curve[1:] for x in point))
 
     def density(self, row: Row) -> float:
-        if "DENSITY" not in self.material:
+        if not ("DENSITY" in self.material and self.material["DENSITY"].rows):
             row.fault(f"the body '{self.name}' has no density",
                       "add *DENSITY to its material")
         self.case.weighed.add(id(self.material))
@@ -159,11 +158,11 @@ def put_elements(case: Case, bodies: list[Body]) -> None:
         case.put("Solids", "Symmetry", "axisymmetric")
     for code, cell in sorted(first.items()):
         if code.startswith("CPS"):
-            case.leave(cell.row, f"{code}: there is no plane stress, this case is plane "
-                       "strain")
+            case.leave(cell.row, f"{code}: there is no plane stress, this case is "
+                       "plane strain")
         if code.endswith(("R", "RH")):
-            case.leave(cell.row, f"{code}: reduced integration; cells are integrated "
-                       "in full")
+            case.leave(cell.row, f"{code}: reduced integration; cells are "
+                       "integrated in full")
     soft = [body.name for body in bodies
             if any(cell.code.endswith(("I", "IH")) for cell in body.cells)]
     for name in soft:

@@ -120,9 +120,9 @@ def as_table(corners) -> str:
 
 def as_formula(corners) -> str:
     """The same as a sum of ramps, for entries that know no tables."""
-    (start, value), terms, slope = corners[0], [], 0.0
-    if value:
-        terms.append(text(value))
+    terms, slope = [], 0.0
+    if corners[0][1]:
+        terms.append(text(corners[0][1]))
     for (a, x), (b, y) in zip(corners, corners[1:]):
         change, slope = (y - x) / (b - a) - slope, (y - x) / (b - a)
         if change:
