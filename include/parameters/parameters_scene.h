@@ -165,7 +165,7 @@ namespace Contact
       /// See Elasticity.
       Choice<Dilatation> dilatation = Dilatation::automatic;
 
-      /// Bodies whose cells bend, see EnhancedCells.
+      /// Bodies whose cells bend, see CellIntegrals.
       std::vector<std::string> incompatible_modes;
 
       void add_parameters(ParameterHandler &prm);

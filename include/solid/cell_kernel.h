@@ -41,31 +41,31 @@ namespace Contact
   class CellKernel
   {
   public:
+    explicit CellKernel(const MaterialLaw &law)
+      : law(law)
+    {
+    }
+
     virtual ~CellKernel() = default;
 
-    /// Linear elastic, or of a material that has to outlive the kernel.
+    /// The kernel of a body of a material, which has to outlive it, with its
+    /// moduli at zero strain.
     static std::unique_ptr<CellKernel> create(const Material    &elastic,
-                                              const MaterialLaw *law,
+                                              const MaterialLaw &law,
                                               const bool is_small_strain,
                                               const bool axisymmetric);
 
     virtual bool is_small_strain() const = 0;
 
     /// The tangent does not depend on the displacement.
-    virtual bool is_linear() const = 0;
-
-    /// Linear elastic or of St. Venant and Kirchhoff, without a MaterialLaw.
-    virtual bool is_elastic() const
+    bool is_linear() const
     {
-      return true;
+      return law.is_linear() && is_small_strain();
     }
 
     /// Whether its tangent is not that of the elastic cell. In small strain and
     /// of materials with a history alone.
-    virtual bool yields(const CellTable<dim> &, const Vector<double> &) const
-    {
-      return false;
-    }
+    bool yields(const CellTable<dim> &cell, const Vector<double> &u) const;
 
     /// s : D^-1 : s [MPa], twice the elastic energy by volume of a stress s.
     virtual double
@@ -87,17 +87,22 @@ namespace Contact
     virtual std::vector<SymmetricTensor<2, 3>>
     stresses(const CellTable<dim> &cell, const Vector<double> &u) const = 0;
 
+    /// The integral of the trace of the material stress.
+    virtual double integral_of_trace(const CellTable<dim> &cell,
+                                     const Vector<double> &u) const = 0;
+
+    /// What energy() is known to at the least, of a material without a history.
+    virtual double round_off_of_energy(const CellTable<dim> &cell,
+                                       const Vector<double> &u) const = 0;
+
     /// The strain of the kinematics in the quadrature points, without the
     /// thermal one.
     virtual std::vector<SymmetricTensor<2, 3>>
     strains(const CellTable<dim> &cell, const Vector<double> &u) const = 0;
 
     /// The history of the cell at the end of an increment.
-    virtual std::vector<double> history_at(const CellTable<dim> &cell,
-                                           const Vector<double> &) const
-    {
-      return cell.history;
-    }
+    std::vector<double> history_at(const CellTable<dim> &cell,
+                                   const Vector<double> &u) const;
 
     /**
      * The dissipation of an increment from @p u_0 to @p u_1, and what that and
@@ -109,9 +114,23 @@ namespace Contact
     {
       double dissipation = 0, path = 0, error = 0, thermal = 0;
     };
-    virtual Works works(const CellTable<dim> &cell,
-                        const Vector<double> &u_0,
-                        const Vector<double> &u_1) const = 0;
+    Works works(const CellTable<dim> &cell,
+                const Vector<double> &u_0,
+                const Vector<double> &u_1) const;
+
+  protected:
+    const double *history(const CellTable<dim> &cell,
+                          const unsigned int    q) const
+    {
+      return cell.history.data() + q * law.n_history();
+    }
+
+  private:
+    Works works_by_rates(const CellTable<dim> &cell,
+                         const Vector<double> &u_0,
+                         const Vector<double> &u_1) const;
+
+    const MaterialLaw &law;
   };
 } // namespace Contact
 

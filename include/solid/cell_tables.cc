@@ -62,7 +62,7 @@ namespace Contact
 
 
 
-    /// See EnhancedCells. Modified Gram and Schmidt again.
+    /// See CellIntegrals. Modified Gram and Schmidt again.
     template<int dim>
     auto stress_modes(const Quadrature<dim> &quadrature,
                       const CellTable<dim>  &cell)

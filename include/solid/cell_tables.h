@@ -51,10 +51,10 @@ namespace Contact
     std::vector<std::array<double, dim + 1>> modes;
 
     /// Stresses of the strains that the cell adds, by point, see
-    /// EnhancedCells. Else empty.
+    /// CellIntegrals. Else empty.
     std::vector<std::array<SymmetricTensor<2, 3>, dim * dim>> stress_modes;
 
-    /// Whether it has those, or a MaterialLaw: its work is counted apart.
+    /// Whether it has those, or is not elastic: its work is counted apart.
     bool is_special = false;
 
     /// Of its points at the start of the increment, see MaterialLaw. Else

@@ -14,7 +14,6 @@
 #include "base/errors.h"
 #include "base/string_utilities.h"
 #include "parameters/formula.h"
-#include "solid/enhanced_cells.h"
 
 namespace Contact
 {
@@ -25,24 +24,16 @@ namespace Contact
       const Discretization<dim>                    &discretization,
       const std::map<types::material_id, Material> &materials,
       const std::map<types::material_id, std::unique_ptr<MaterialLaw>> &laws,
-      const Parameters::Solids           &parameters,
-      const std::set<types::material_id> &enhanced)
+      const Parameters::Solids &parameters)
     {
       std::map<types::material_id, std::unique_ptr<CellKernel<dim>>> kernels;
       for (const auto &[name, body] : discretization.mesh.bodies)
-        {
-          kernels[body] =
-            CellKernel<dim>::create(materials.at(body),
-                                    laws.at(body).get(),
-                                    parameters.kinematics.of(name) ==
-                                      Parameters::Strains::small,
-                                    discretization.axisymmetric);
-          if (enhanced.count(body) > 0)
-            kernels[body] =
-              make_enhanced_cells<dim>(materials.at(body),
-                                       std::move(kernels[body]),
-                                       discretization.axisymmetric);
-        }
+        kernels[body] =
+          CellKernel<dim>::create(materials.at(body),
+                                  *laws.at(body),
+                                  parameters.kinematics.of(name) ==
+                                    Parameters::Strains::small,
+                                  discretization.axisymmetric);
       return kernels;
     }
 
@@ -107,8 +98,7 @@ namespace Contact
     , materials(find_materials(discretization.mesh, parameters))
     , laws(make_laws(discretization.mesh.bodies, materials, parameters))
     , enhanced(find_enhanced(discretization.mesh, parameters))
-    , kernels(
-        make_kernels(discretization, materials, laws, parameters, enhanced))
+    , kernels(make_kernels(discretization, materials, laws, parameters))
     , projected(
         find_projected(materials, laws, parameters.dilatation, enhanced))
     , thermal_strains(parse_thermal_strains(discretization.mesh, parameters))
@@ -118,11 +108,10 @@ namespace Contact
     for (auto *part : {&tables.own, &tables.neighbors})
       for (CellTable<dim> &cell : *part)
         {
-          cell.kernel = kernels.at(cell.body).get();
-          cell.is_special =
-            !cell.kernel->is_elastic() || !cell.stress_modes.empty();
-          if (const auto *law = laws.at(cell.body).get())
-            cell.history.resize(cell.JxW.size() * law->n_history());
+          const MaterialLaw &law = *laws.at(cell.body);
+          cell.kernel            = kernels.at(cell.body).get();
+          cell.is_special = !law.is_linear() || !cell.stress_modes.empty();
+          cell.history.resize(cell.JxW.size() * law.n_history());
         }
   }
 
@@ -201,7 +190,7 @@ namespace Contact
   bool Elasticity<dim>::is_elastic() const
   {
     return std::all_of(laws.begin(), laws.end(), [](const auto &law) {
-      return law.second == nullptr;
+      return law.second->is_linear();
     });
   }
 
@@ -211,7 +200,7 @@ namespace Contact
   bool Elasticity<dim>::is_hyperelastic() const
   {
     return std::any_of(laws.begin(), laws.end(), [](const auto &law) {
-      return law.second != nullptr && law.second->n_history() == 0;
+      return !law.second->is_linear() && law.second->n_history() == 0;
     });
   }
 
@@ -228,7 +217,7 @@ namespace Contact
     counters.large_displacement_cells += !cell.kernel->is_small_strain();
     if (cell.is_special)
       {
-        counters.material_cells += !cell.kernel->is_elastic();
+        counters.material_cells += cell.stress_modes.empty();
         counters.enhanced_cells += !cell.stress_modes.empty();
         counters.return_mappings += cell.history.empty() ? 0 : cell.JxW.size();
       }
@@ -249,7 +238,7 @@ namespace Contact
   bool Elasticity<dim>::has_history() const
   {
     return std::any_of(laws.begin(), laws.end(), [](const auto &law) {
-      return law.second != nullptr && law.second->n_history() > 0;
+      return law.second->n_history() > 0;
     });
   }
 

@@ -48,7 +48,7 @@ namespace Contact
     return has_history() &&
            std::all_of(laws.begin(), laws.end(), [&](const auto &law) {
              return kernels.at(law.first)->is_small_strain() &&
-                    (law.second == nullptr || law.second->n_history() > 0);
+                    (law.second->is_linear() || law.second->n_history() > 0);
            });
   }
 

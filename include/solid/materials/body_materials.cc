@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "solid/materials/elastic_plastic.h"
+#include "solid/materials/linear_elastic.h"
 #include "solid/materials/mooney_rivlin.h"
 #include "solid/materials/neo_hookean.h"
 
@@ -88,7 +89,7 @@ namespace Contact
         switch (parameters.model_of(name))
           {
             case Parameters::MaterialModel::elastic:
-              laws[body] = nullptr;
+              laws[body] = std::make_unique<LinearElastic>(elastic);
               break;
             case Parameters::MaterialModel::elastic_plastic:
               laws[body] =
@@ -124,7 +125,7 @@ namespace Contact
           (dilatation == Parameters::Dilatation::automatic &&
            enhanced.count(body) == 0 &&
            (material.lambda > 10 * material.mu ||
-            (laws.at(body) && laws.at(body)->n_history() > 0))))
+            laws.at(body)->n_history() > 0)))
         projected.insert(body);
     return projected;
   }

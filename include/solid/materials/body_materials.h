@@ -28,7 +28,7 @@ namespace Contact
   std::map<types::material_id, Material>
   find_materials(const Mesh<dim> &mesh, const Parameters::Solids &parameters);
 
-  /// The materials of the bodies that are not linear elastic, null of others.
+  /// The materials of the bodies.
   std::map<types::material_id, std::unique_ptr<MaterialLaw>>
   make_laws(const std::map<std::string, types::material_id> &bodies,
             const std::map<types::material_id, Material>    &materials,

@@ -54,37 +54,8 @@ namespace Contact
     template<int dim>
     SymmetricTensor<2, dim> stress(const SymmetricTensor<2, dim> &strain) const
     {
-      return stress(strain, trace(strain));
-    }
-
-    /**
-     * The same with any value in the place of tr(strain), and with a strain
-     * across the plane, the @p hoop strain (none in plane strain or in 3-D):
-     * the stress
-     * in 2-D, the stress across it, and the energy by volume
-     *   1/2 lambda dilatation^2 + mu (strain : strain + hoop^2)
-     * [MPa].
-     */
-    template<int dim>
-    SymmetricTensor<2, dim> stress(const SymmetricTensor<2, dim> &strain,
-                                   const double dilatation) const
-    {
-      return lambda * dilatation * unit_symmetric_tensor<dim>() +
+      return lambda * trace(strain) * unit_symmetric_tensor<dim>() +
              2 * mu * strain;
-    }
-
-    double hoop_stress(const double hoop, const double dilatation) const
-    {
-      return lambda * dilatation + 2 * mu * hoop;
-    }
-
-    template<int dim>
-    double stored_energy(const SymmetricTensor<2, dim> &strain,
-                         const double                   hoop,
-                         const double                   dilatation) const
-    {
-      return 0.5 * lambda * dilatation * dilatation +
-             mu * (strain * strain + hoop * hoop);
     }
 
     /**

@@ -13,18 +13,23 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * A material that is not linear elastic, as a function of the strain E in
-   * 3-D [-] (small strain, or that of Green and Lagrange) and of the history
-   * of a point at the start of an increment, for the stress S = dW/dE [MPa]
-   * (or the second one of Piola and Kirchhoff):
-   *   W = shear part(E, history) + U(d(E)),
-   * d a measure of volume. The cells put the projected P d in the place of d
-   * where they have to, see Elasticity. How to add one: include/README.md.
+   * A material, as a function of the strain E in 3-D [-] (small strain, or that
+   * of Green and Lagrange) and of the history of a point at the start of an
+   * increment, for the stress S = dW/dE [MPa] (or the second one of Piola and
+   * Kirchhoff): W = shear part(E, history) + U(d(E)), d a measure of volume.
+   * The cells put the projected P d in the place of d where they have to, see
+   * Elasticity. How to add one: include/README.md.
    */
   class MaterialLaw
   {
   public:
     virtual ~MaterialLaw() = default;
+
+    /// Whether the stress is linear in the strain: LinearElastic.
+    virtual bool is_linear() const
+    {
+      return false;
+    }
 
     /// Stress [MPa], if it is asked for its derivative with respect to E, and
     /// the energy by volume.
