@@ -24,7 +24,7 @@ namespace Contact
     unsigned long cell_tangents            = 0; // cells with tangent
     unsigned long cell_forces              = 0; // cells with or without
     unsigned long large_displacement_cells = 0; // of cell_forces
-    unsigned long material_cells = 0; // of cell_forces, not elastic
+    unsigned long material_cells           = 0; // of cell_forces, not elastic
     unsigned long enhanced_cells = 0; // of cell_forces, with incompatible modes
 
     // Points that may yield: of cell_forces, and at the ends of increments.

@@ -1,0 +1,90 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""history.csv: the increments of a run as a table.
+
+Proves that a column under a plane with a force of 120 t, in plane strain, as a ring
+and in 3-D, has in its table
+
+- a row for each increment at its load factor, and an earlier run's rows no more;
+- the force of contact, the reaction and the obstacle's force 120 t, and the
+  pressure this by the area, to 1e-9, under names with the right units;
+- the same probes as summary.json, to the last bit.
+
+Usage: history.py CONTACT PARAMETERS MESHES
+"""
+
+import csv
+import json
+import math
+import pathlib
+import sys
+
+from block_scenes import Mesh, box, check, failures, run
+from volume_scenes import Volumes
+
+WIDTH, HEIGHT, DEPTH, FORCE = 4., 2., 1.5, 120.
+PLANE = f"half plane: 0, {HEIGHT}, 0, -1"
+
+
+def table(name):
+    with open(f"output/{name}/history.csv", encoding="utf-8") as lines:
+        return list(csv.DictReader(lines))
+
+
+def near(what, found, wanted):
+    check(what, abs(found - wanted) < 1e-9 * abs(wanted), f"{found} {wanted}")
+
+
+def column(name, more, area, unit, increments):
+    what = f"{name}, {increments} increments"
+    status, said, _ = run(name, {
+        "Mesh/File": f"{name}.msh",
+        "Solids/Young's modulus": "A: 1000", "Solids/Poisson's ratio": "A: 0.3",
+        "Solids/Kinematics": "small strain",
+        "Contact/Obstacle force": f"y: {-FORCE}*t",
+        "Probes/Probes": "way, down: obstacle motion y, Contact; "
+                         "all: obstacle force y, Contact",
+        "Solution/Increments": increments, **more})
+    check(f"{what}: converges", status == 0, said[-300:])
+    rows = table(name)
+    check("  a row an increment", len(rows) == increments, len(rows))
+    summary = json.loads(pathlib.Path(f"output/{name}/summary.json").read_text())
+    group = more["Boundary conditions/Displacement y"].split(":")[0]
+    for k, row in enumerate(rows):
+        t = (k + 1) / increments
+        near("  load factor", float(row["t [-]"]), t)
+        for force, sign in ((f"contact normal_force [{unit}]", 1),
+                            (f"reaction {group} y [{unit}]", 1),
+                            (f"all [{unit}]", -1)):
+            near(f"  {force}", float(row[force]), sign * FORCE * t)
+        near("  pressure", float(row["contact max_pressure [MPa]"]),
+             FORCE * t / area)
+        probes = summary["increments"][k]["probes"]
+        check("  the probes of summary.json",
+              float(row["way, down [mm]"]) == probes["way, down"] and
+              float(row[f"all [{unit}]"]) == probes["all"], row)
+
+
+plane = Mesh()
+plane.block("A", 8, 4, box(0, 0, WIDTH, HEIGHT),
+            {"bottom": "Bottom", "top": "Top", "corner": "C"})
+plane.write("plane")
+plane.write("ring")
+space = Volumes()
+space.block("A", (4, 2, 2), lambda r, s, t: (WIDTH * r, HEIGHT * s, DEPTH * t))
+space.write("space")
+SUPPORTS = {"Boundary conditions/Displacement y": "Bottom: 0",
+            "Contact/Slave": "Top", "Contact/Obstacle": PLANE}
+for n in (3, 2):
+    column("plane", {**SUPPORTS, "Boundary conditions/Displacement x": "C: 0"},
+           WIDTH, "N/mm", n)
+column("ring", {**SUPPORTS, "Solids/Symmetry": "axisymmetric"},
+       math.pi * WIDTH**2, "N", 2)
+column("space", {
+    "Boundary conditions/Displacement x": "A_x0: 0",
+    "Boundary conditions/Displacement y": "A_y0: 0",
+    "Boundary conditions/Displacement z": "A_z0: 0", "Contact/Slave": "A_y1",
+    "Contact/Obstacle": f"half space: 0, {HEIGHT}, 0, 0, -1, 0"},
+       WIDTH * DEPTH, "N", 2)
+print(len(failures), "failures")
+sys.exit(bool(failures))
