@@ -114,6 +114,7 @@ namespace Contact
     if (steps.finished())
       return;
     TimerOutput::Scope scope(report.timer, "output");
+    report.write_history();
     report.write_summary();
     const auto key          = this->key();
     auto       start        = invariants->state();

@@ -293,6 +293,13 @@ namespace Contact
     result_files->write_first("summary.json", [this](std::ostream &out) {
       Contact::write_summary(summary, out);
     });
+  }
+
+
+
+  template<int dim>
+  void Report<dim>::write_history() const
+  {
     const auto unit = [&](const Parameters::Quantity quantity) {
       return unit_of(quantity, parameters.solids.symmetry, dim == 3);
     };
@@ -302,7 +309,7 @@ namespace Contact
     for (const auto &[name, definition] : parameters.probes.definitions())
       units.probes[name] = unit(definition.quantity);
     result_files->write_first("history.csv", [&](std::ostream &out) {
-      write_history(summary, units, out);
+      Contact::write_history(summary, units, out);
     });
   }
 
@@ -333,6 +340,7 @@ namespace Contact
         tell({{"'" + probe +
                "' is at a corner in contact, where stresses are singular: "
                "its error can be ten times as large as estimated"}});
+    write_history();
     summary.time     = phase_times(timer);
     summary.counters = discretization->counters.by_name();
     summary.peak_memory_mb =

@@ -114,6 +114,9 @@ namespace Contact
 
     void write_summary() const;
 
+    /// Write history.csv, see write_history().
+    void write_history() const;
+
     /// All parameters as a file of them, printed once: that takes as long as
     /// to check an increment.
     const std::string &used_parameters();

@@ -136,7 +136,7 @@ namespace Contact
   template<int dim>
   void ResultFiles<dim>::remove_series() const
   {
-    remove("(bodies|contact)[.]pvd|(profile|nodes)[.]csv");
+    remove("(bodies|contact)[.]pvd|(history|profile|nodes)[.]csv");
   }
 
 

@@ -87,8 +87,9 @@ def linear(s):
                       % (system, increments), scenes.BLOCKS, what)
             once(r, s.cells(r), increments)
             all_zero(r, OFF + NO_CONTACT)
-            check("files: summary twice, parameters; restart and summary "
-                  "between", r.counters["files"], 3 + 2 * (increments - 1))
+            check("files: summary twice, history, parameters; restart, history "
+                  "and summary between", r.counters["files"],
+                  4 + 3 * (increments - 1))
         tied = {"Contact/Tied": "true", **more}
         for rule in ("nodal", "mortar"):
             r = s.run("tied, rule %s, increments: %d" % (rule, increments),
