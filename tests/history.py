@@ -8,6 +8,8 @@ and in 3-D, has in its table
 - a row for each increment at its load factor, and an earlier run's rows no more;
 - the force of contact, the reaction and the obstacle's force 120 t, and the
   pressure this by the area, to 1e-9, under names with the right units;
+- the moment of a rigid foot about its corner 120 t times half of the width, by
+  symmetry, to 1e-6, in the unit of a moment;
 - the same probes as summary.json, to the last bit.
 
 Usage: history.py CONTACT PARAMETERS MESHES
@@ -23,6 +25,9 @@ from block_scenes import Mesh, box, check, failures, run
 from volume_scenes import Volumes
 
 WIDTH, HEIGHT, DEPTH, FORCE = 4., 2., 1.5, 120.
+MATERIAL = {"Solids/Young's modulus": "A: 1000",
+            "Solids/Poisson's ratio": "A: 0.3",
+            "Solids/Kinematics": "small strain"}
 PLANE = f"half plane: 0, {HEIGHT}, 0, -1"
 
 
@@ -38,9 +43,7 @@ def near(what, found, wanted):
 def column(name, more, area, unit, increments):
     what = f"{name}, {increments} increments"
     status, said, _ = run(name, {
-        "Mesh/File": f"{name}.msh",
-        "Solids/Young's modulus": "A: 1000", "Solids/Poisson's ratio": "A: 0.3",
-        "Solids/Kinematics": "small strain",
+        "Mesh/File": f"{name}.msh", **MATERIAL,
         "Contact/Obstacle force": f"y: {-FORCE}*t",
         "Probes/Probes": "way, down: obstacle motion y, Contact; "
                          "all: obstacle force y, Contact",
@@ -86,5 +89,18 @@ column("space", {
     "Boundary conditions/Displacement z": "A_z0: 0", "Contact/Slave": "A_y1",
     "Contact/Obstacle": f"half space: 0, {HEIGHT}, 0, 0, -1, 0"},
        WIDTH * DEPTH, "N", 2)
+status, said, _ = run("foot", {
+    "Mesh/File": "plane.msh", **MATERIAL,
+    "Boundary conditions/Displacement x": "Bottom: 0",
+    "Boundary conditions/Displacement y": "Bottom: 0",
+    "Boundary conditions/Rotation z": "Bottom: 0",
+    "Boundary conditions/Rigid": "Bottom: C",
+    "Contact/Slave": "Top", "Contact/Obstacle": PLANE,
+    "Contact/Obstacle force": f"y: {-FORCE}*t", "Solution/Increments": 2})
+check("rigid foot: converges", status == 0, said[-300:])
+for k, row in enumerate(table("foot")):
+    moment = float(row["reaction Bottom moment z [N mm/mm]"])
+    wanted = FORCE * (k + 1) / 2 * WIDTH / 2
+    check("  its moment", abs(moment - wanted) < 1e-6 * wanted, moment)
 print(len(failures), "failures")
 sys.exit(bool(failures))

@@ -100,6 +100,7 @@ SHORT = {
 
 ELSEWHERE = {
     "./run test": "the suite itself",
+    "./run package": "a second build",
     "cmake -S . -B build -DDEAL_II_DIR=DIR": "./run, where deal.II is installed",
     "gmsh -2 -format msh41 -o mine.msh mine.geo": "program/readme_case",
     "./run mine.prm": "program/readme_case",

@@ -18,35 +18,24 @@ namespace Contact
     /// Columns in the order of the table, and their values by name.
     using Row = std::vector<std::pair<std::string, double>>;
 
-    bool ends_with(const std::string &name, const std::string &end)
-    {
-      return name.size() >= end.size() &&
-             name.compare(name.size() - end.size(), end.size(), end) == 0;
-    }
-
-
-
-    /// The unit of what a contact pair has, by the end of its name.
+    /// The unit of what a contact pair or a group of supports has, by a part of
+    /// its name.
     std::string unit_of(const std::string &name, const HistoryUnits &units)
     {
-      const std::vector<std::pair<std::string, std::string>> by_end{
+      const std::vector<std::pair<std::string, std::string>> by_part{
         {"pressure", "MPa"},
-        {"max_shear", "MPa"},
+        {"shear", "MPa"},
         {"width", "mm"},
         {"area", "mm^2"},
-        {"moment_x", units.work},
-        {"moment_y", units.work},
-        {"moment_z", units.work},
-        {"motion_x", "mm"},
-        {"motion_y", "mm"},
-        {"motion_z", "mm"},
+        {"moment", units.work},
+        {"motion", "mm"},
         {"shortening", "mm"},
         {"turn", "degrees"}};
       const auto found =
-        std::find_if(by_end.begin(), by_end.end(), [&](const auto &entry) {
-          return ends_with(name, entry.first);
+        std::find_if(by_part.begin(), by_part.end(), [&](const auto &entry) {
+          return name.find(entry.first) != std::string::npos;
         });
-      return found == by_end.end() ? units.force : found->second;
+      return found == by_part.end() ? units.force : found->second;
     }
 
 
@@ -69,7 +58,9 @@ namespace Contact
               value);
       for (const auto &[group, values] : increment.reactions)
         for (const auto &[direction, value] : values)
-          add("reaction " + group + " " + direction, units.force, value);
+          add("reaction " + group + " " + direction,
+              unit_of(direction, units),
+              value);
       for (const auto &[kind, value] : increment.works)
         add("work " + kind, units.work, value);
       return row;

@@ -159,10 +159,10 @@ namespace Contact
     // may not have deformed yet before the end of a run.
     double     way = of_obstacle, deformed = 0;
     const auto along =
-      largest_deformations(discretization,
-                           fit_rigid_motions(discretization, solution),
-                           solution,
-                           now.normal);
+      deformations_along(discretization,
+                         fit_rigid_motions(discretization, solution),
+                         solution,
+                         now.normal);
     const auto look_at = [&](const Surface<dim> &surface) {
       for (const SurfaceNode<dim> &node : surface.nodes)
         for (const auto dof : node.dofs)
@@ -190,8 +190,7 @@ namespace Contact
       std::string(now.of_master ? "master" : "slave") + " at X = (" +
       brief(now.X) + ") mm is " + brief(now.depth) + " mm inside of the " +
       (contact_pair.obstacle ? "obstacle" : "other body") +
-      ", of bodies whose deformation brings them closer by " + brief(deformed) +
-      " mm" +
+      ", of bodies that deform by " + brief(deformed) + " mm that way" +
       (carries_force(contact_pair, now.slave_facet)
          ? ": forces may be off by a factor"
          : ", and no force acts there");

@@ -94,10 +94,10 @@ namespace Contact
 
   template<int dim>
   std::map<types::material_id, double>
-  largest_deformations(const Discretization<dim> &discretization,
-                       const RigidFits<dim>      &fits,
-                       const GhostedVector       &u,
-                       const Tensor<1, dim>      &direction)
+  deformations_along(const Discretization<dim> &discretization,
+                     const RigidFits<dim>      &fits,
+                     const GhostedVector       &u,
+                     const Tensor<1, dim>      &direction)
   {
     std::map<types::material_id, double> largest;
     for (const auto &[body, fit] : fits)
@@ -138,15 +138,15 @@ namespace Contact
   template RigidFits<3> fit_rigid_motions(const Discretization<3> &,
                                           const GhostedVector &);
   template std::map<types::material_id, double>
-  largest_deformations(const Discretization<2> &,
-                       const RigidFits<2> &,
-                       const GhostedVector &,
-                       const Tensor<1, 2> &);
+  deformations_along(const Discretization<2> &,
+                     const RigidFits<2> &,
+                     const GhostedVector &,
+                     const Tensor<1, 2> &);
   template std::map<types::material_id, double>
-                  largest_deformations(const Discretization<3> &,
-                                       const RigidFits<3> &,
-                                       const GhostedVector &,
-                                       const Tensor<1, 3> &);
+                  deformations_along(const Discretization<3> &,
+                                     const RigidFits<3> &,
+                                     const GhostedVector &,
+                                     const Tensor<1, 3> &);
   template double largest_deformation(const Surface<2> &,
                                       const RigidFits<2> &,
                                       const GhostedVector &);

@@ -44,10 +44,10 @@ namespace Contact
   /// at the corners of its cells [mm]. Collective.
   template<int dim>
   std::map<types::material_id, double>
-  largest_deformations(const Discretization<dim> &discretization,
-                       const RigidFits<dim>      &fits,
-                       const GhostedVector       &u,
-                       const Tensor<1, dim>      &direction);
+  deformations_along(const Discretization<dim> &discretization,
+                     const RigidFits<dim>      &fits,
+                     const GhostedVector       &u,
+                     const Tensor<1, dim>      &direction);
 
   /// The largest deformation of a surface by the displacement @p u [mm].
   template<int dim>

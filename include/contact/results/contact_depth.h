@@ -26,14 +26,15 @@ namespace Contact
 
   /**
    * The deepest place of both surfaces of a contact pair under the displacement
-   * @p u: nodes and places between them, on the inner side of the closest place
-   * of the other surface that they face, less what the facets of both surfaces,
-   * by the angles between them, may be beside a curve. On an
-   * obstacle the deepest of some places of the slave, of its nodes only with
-   * the Gauss-point discretization, which has no points there; an edge of the
-   * length h, if that is no more than the radius R of a circle, may be inside
-   * of the circle by h^2/(8 R), of which its two nodes know nothing. All this
-   * is allowed to polygons unless the depth is that @p as_drawn.
+   * @p u: nodes and places between them, as far as they are behind the closest
+   * place of the whole boundary of the other body, less what the facets of
+   * both, by the angles between them, may be beside a curve. Of two surfaces of
+   * one connected body, behind the other surface. On an obstacle the deepest of
+   * some places of the slave, of its nodes only with the Gauss-point
+   * discretization, which has no points there; an edge of the length h, if that
+   * is no more than the radius R of a circle, may be inside of the circle by
+   * h^2/(8 R), of which its two nodes know nothing. All this is allowed to
+   * polygons unless the depth is that @p as_drawn.
    *
    * All contact discretizations let surfaces pass through each other between
    * the places where they look, which vanishes with the mesh size. On a mesh

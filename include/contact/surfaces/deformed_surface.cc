@@ -54,9 +54,7 @@ namespace Contact
   DeformedSurface<dim>::DeformedSurface(const Surface<dim>  &surface,
                                         const GhostedVector &u,
                                         const double         overhang)
-    : surface(surface)
-    , positions(surface.positions(u))
-    , beyond_ends(overhang)
+    : DeformedSurface(surface, surface.positions(u), overhang)
   {
   }
 
