@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-import json
 import sys
-import xml.etree.ElementTree as xml
 from pathlib import Path
 
 import vtkmodules.vtkInteractionStyle  # noqa: F401
@@ -19,11 +17,13 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkImagingCore import vtkImageShrink3D
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextActor,
     vtkWindowToImageFilter)
+
+from contact_results import Results
+from curves import STATUS
 
 # Viridis: dark to light, even in grey and to the colour-blind. Blue to red for
 # what has a sign.
@@ -35,7 +35,6 @@ BANDS = 12
 # Drawn larger, then averaged: edges get smooth, without the seams that samples
 # within a pixel leave between the triangles of a cell.
 SIZE, FINER = (1000, 700), 1 if "--coarse" in sys.argv else 3
-STATUS = {0: ("open", "808080"), 1: ("slip", "d08000"), 2: ("stick", "2060b0")}
 TEXT = (0.1, 0.1, 0.1)
 
 
@@ -44,19 +43,12 @@ def rgb(colour: str) -> tuple[float, ...]:
 
 
 def summary(case: Path) -> dict:
-    return json.loads((case / "summary.json").read_text())
+    return Results(case).summary
 
 
 def parameter(case: Path, section: str, entry: str) -> str:
     """The text of an entry in a top section of the parameters used."""
-    within = False
-    for line in (case / "parameters.prm").read_text().splitlines():
-        words, _, text = line.partition("=")
-        if line.startswith("subsection"):
-            within = line.split(maxsplit=1)[1] == section
-        elif within and words.split() == ["set", *entry.split()]:
-            return text.strip()
-    raise SystemExit(f"gallery: {case.name} has no {section}/{entry}")
+    return Results(case).parameters[f"{section}/{entry}"]
 
 
 def describe(case: Path) -> str:
@@ -73,14 +65,7 @@ def describe(case: Path) -> str:
 def unmoved_grid(case: Path, name: str, time=1.0):
     """Bodies or contact surface at the end of the increment nearest to a time,
     the load's end is 1, where they were before."""
-    sets = xml.parse(case / f"{name}.pvd").findall(".//DataSet")
-    # The last of those as near: the finest level
-    nearest = min(reversed(sets),
-                  key=lambda s: abs(float(s.get("timestep")) - time))
-    reader = vtkXMLUnstructuredGridReader()
-    reader.SetFileName(str(case / nearest.get("file")))
-    reader.Update()
-    return reader.GetOutput()
+    return Results(case).grid(name, time)
 
 
 def last_grid(case: Path, name: str):
@@ -212,23 +197,37 @@ def bar_actor(table, labels="%.0f") -> vtkScalarBarActor:
     return bar
 
 
-def view(part, window, actors, labels) -> vtkRenderer:
-    """A part (x0, y0, x1, y1) of the picture that shows a window."""
-    renderer = vtkRenderer()
-    renderer.SetViewport(*part)
-    renderer.SetBackground(1, 1, 1)
+def renderer(part, actors, labels=()) -> vtkRenderer:
+    """A part (x0, y0, x1, y1) of the picture."""
+    shown = vtkRenderer()
+    shown.SetViewport(*part)
+    shown.SetBackground(1, 1, 1)
     for actor in actors:
-        renderer.AddActor(actor)
+        shown.AddActor(actor)
     for label in labels:
-        renderer.AddActor2D(label)
-    camera = renderer.GetActiveCamera()
+        shown.AddActor2D(label)
+    return shown
+
+
+def parallel_view(part, centre, towards_viewer, up, half_height, actors,
+                  labels=()) -> vtkRenderer:
+    """A part of the picture without perspective."""
+    shown = renderer(part, actors, labels)
+    camera = shown.GetActiveCamera()
     camera.ParallelProjectionOn()
-    centre = (window[0] + window[1]) / 2, (window[2] + window[3]) / 2
-    camera.SetFocalPoint(*centre, 0)
-    camera.SetPosition(*centre, 1)
-    camera.SetParallelScale((window[3] - window[2]) / 2)
-    renderer.ResetCameraClippingRange()
-    return renderer
+    camera.SetFocalPoint(*centre)
+    camera.SetPosition(*(c + t for c, t in zip(centre, towards_viewer)))
+    camera.SetViewUp(*up)
+    camera.SetParallelScale(half_height)
+    shown.ResetCameraClippingRange()
+    return shown
+
+
+def view(part, window, actors, labels) -> vtkRenderer:
+    """A part of the picture that shows a window of the plane."""
+    centre = (window[0] + window[1]) / 2, (window[2] + window[3]) / 2, 0
+    return parallel_view(part, centre, (0, 0, 1), (0, 1, 0),
+                         (window[3] - window[2]) / 2, actors, labels)
 
 
 def strip(part, labels) -> vtkRenderer:

@@ -16,8 +16,6 @@ picture has failed.
 from __future__ import annotations
 
 import argparse
-import csv
-import os
 import shutil
 import subprocess
 import sys
@@ -33,6 +31,8 @@ import line_contact  # noqa: E402
 import plots  # noqa: E402
 import report  # noqa: E402
 import space  # noqa: E402
+from contact_results import Results  # noqa: E402
+from curves import block, gnuplot  # noqa: E402
 from drawing import (  # noqa: E402
     BAR, DIVERGING, SIZE, STATUS, TITLE, VIRIDIS, bar_actor, body_actor, colours,
     describe, extreme, frame_actor, last_grid, parameter, rgb, save,
@@ -44,6 +44,7 @@ FRICTION = ("ssnp154_d", "nested_friction")
 CONVERGENCE = "rings_orders"
 IN_SPACE = "sphere_on_block"
 REFINED = {"Mesh/Refinements": 1}
+AXIS = ['set xlabel "arc length on the slave [mm]"']
 SETTINGS = {"Output/VTU": "true", "Output/Profile": "true",
             "Output/Screen": "none"}
 
@@ -112,32 +113,10 @@ def draw_stick_and_slip(case: Path, path: Path) -> None:
 
 # -------------------------------------------------------------------- the curves
 
-def profile(case: Path) -> list[dict[str, str]]:
+def profile(case: Path):
     """The rows of the slave up to one and a half of the half width."""
-    width = summary(case)["contact"]["width"]
-    with open(case / "profile.csv", newline="") as file:
-        return [row for row in csv.DictReader(file)
-                if row["surface"] == "slave"
-                and float(row["arc_length_mm"]) <= 1.5 * width]
-
-
-def gnuplot(lines: list[str], path: Path, size="1000,560") -> None:
-    head = [f'set terminal pngcairo size {size} font "DejaVu Sans,12" '
-            'background "white"', f'set output "{path}"', "set encoding utf8",
-            "set border 3", "set tics nomirror",
-            'set grid back lw 1 lc rgb "#dddddd" dt 1',
-            'set xlabel "arc length on the slave [mm]"']
-    # Signs such as that of a degree, whatever the language of the machine.
-    outcome = subprocess.run(["gnuplot"], input="\n".join(head + lines + [""]),
-                             text=True, capture_output=True, encoding="utf-8",
-                             env=os.environ | {"LC_ALL": "C.UTF-8"})
-    if outcome.returncode != 0 or outcome.stderr:
-        sys.exit(f"gnuplot, {path.name}: {outcome.stderr.strip()}")
-
-
-def block(name: str, rows, *columns: str) -> list[str]:
-    return [f"{name} << EOD", *(" ".join(row[c] or "NaN" for c in columns)
-                                for row in rows), "EOD"]
+    rows = Results(case).profile("slave")
+    return rows[rows["arc_length"] <= 1.5 * summary(case)["contact"]["width"]]
 
 
 def draw_pressures(cases: list[Path], path: Path) -> None:
@@ -147,8 +126,7 @@ def draw_pressures(cases: list[Path], path: Path) -> None:
              "set yrange [0:*]"]
     curves = []
     for i, case in enumerate(cases):
-        lines += block(f"$case{i}", profile(case), "arc_length_mm",
-                       "pressure_MPa")
+        lines += block(f"$case{i}", profile(case), "arc_length", "pressure")
         curves.append(f'$case{i} with linespoints lw 1.6 ps 0.7 '
                       f"pt {plots.POINTS[i + 1]} "
                       f'lc rgb "{plots.COLOURS[i + 1]}" '
@@ -162,7 +140,7 @@ def draw_pressures(cases: list[Path], path: Path) -> None:
                   'lw 2 dt 2 lc rgb "#000000" title "Hertz"')
     lines += ["set samples 2000", "set key top right",
               "plot " + ", \\\n  ".join(curves)]
-    gnuplot(lines, path)
+    gnuplot(AXIS + lines, path)
 
 
 def draw_shears(cases: list[Path], path: Path) -> None:
@@ -173,21 +151,19 @@ def draw_shears(cases: list[Path], path: Path) -> None:
         mu = float(parameter(case, "Contact", "Friction coefficient"))
         rows = profile(case)
         lines += [f'set title "{case.name}\\n{describe(case)}" noenhanced',
-                  *block(f"$rows{i}", rows, "arc_length_mm", "pressure_MPa")]
+                  *block(f"$rows{i}", rows, "arc_length", "pressure")]
         curves = [f'$rows{i} using 1:({mu} * $2) with lines lw 2 dt 2 lc rgb '
                   f'"#000000" title "{mu:g} x pressure"']
         for status, (name, colour) in STATUS.items():
-            chosen = [r for r in rows
-                      if int(r["status_0_open_1_slip_2_stick"]) == status]
-            if not chosen:
+            chosen = rows[rows["status"] == status]
+            if chosen.empty:
                 continue
-            lines += block(f"$status{i}_{status}", chosen, "arc_length_mm",
-                           "shear_MPa")
+            lines += block(f"$status{i}_{status}", chosen, "arc_length", "shear")
             curves.append(f"$status{i}_{status} using 1:(abs($2)) with points "
                           f'pt 7 ps 0.9 lc rgb "#{colour}" title '
                           f'"|shear|, {name}"')
         lines.append("plot " + ", \\\n  ".join(curves))
-    gnuplot(lines + ["unset multiplot"], path)
+    gnuplot(AXIS + lines + ["unset multiplot"], path)
 
 
 def draw_convergence(pictures: Path, scratch: Path) -> None:

@@ -15,8 +15,8 @@ from vtkmodules.vtkFiltersSources import vtkArrowSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 from drawing import (BAR, SIZE, STATUS, TITLE, VIRIDIS, bar_actor,
-                     body_actor, colours, frame_actor, last_grid, rgb, save,
-                     strip, summary, text_actor, view)
+                     body_actor, colours, frame_actor, last_grid, parallel_view,
+                     renderer, rgb, save, strip, summary, text_actor, view)
 
 # From the front and above, a little from the left.
 TOWARDS_VIEWER = (-0.45, -1.0, 0.5)
@@ -85,27 +85,21 @@ def shaded(actor: vtkActor) -> vtkActor:
 
 
 def space_view(part, towards_viewer, bounds, actors, labels=(),
-               nearer=1.0) -> vtkRenderer:
+               nearer=1.0, up=(0, 0, 1)) -> vtkRenderer:
     """A part of the picture with a view in perspective of what is in bounds."""
-    renderer = vtkRenderer()
-    renderer.SetViewport(*part)
-    renderer.SetBackground(1, 1, 1)
-    for actor in actors:
-        renderer.AddActor(actor)
-    for label in labels:
-        renderer.AddActor2D(label)
-    camera = renderer.GetActiveCamera()
+    shown = renderer(part, actors, labels)
+    camera = shown.GetActiveCamera()
     centre = [(bounds[2 * d] + bounds[2 * d + 1]) / 2 for d in range(3)]
     camera.SetFocalPoint(*centre)
     camera.SetPosition(*(c + t for c, t in zip(centre, towards_viewer)))
-    camera.SetViewUp(0, 0, 1)
+    camera.SetViewUp(*up)
     camera.SetViewAngle(18)
-    renderer.ResetCamera(*bounds)
+    shown.ResetCamera(*bounds)
     # VTK fits what it shows into the height of a part, here narrower than high.
     camera.Zoom(nearer * (part[2] - part[0]) * SIZE[0]
                 / ((part[3] - part[1]) * SIZE[1]))
-    renderer.ResetCameraClippingRange()
-    return renderer
+    shown.ResetCameraClippingRange()
+    return shown
 
 
 def cut_window(surface, part):
@@ -119,14 +113,9 @@ def cut_window(surface, part):
 
 def front_view(part, window, actors) -> vtkRenderer:
     """The plane y = 0 as one sees it along y."""
-    renderer = view(part, window, actors, [])
-    camera = renderer.GetActiveCamera()
     x, z = (window[0] + window[1]) / 2, (window[2] + window[3]) / 2
-    camera.SetFocalPoint(x, 0, z)
-    camera.SetPosition(x, -1, z)
-    camera.SetViewUp(0, 0, 1)
-    renderer.ResetCameraClippingRange()
-    return renderer
+    return parallel_view(part, (x, 0, z), (0, -1, 0), (0, 0, 1),
+                         (window[3] - window[2]) / 2, actors)
 
 
 def largest_on_cut(bodies, window) -> float:

@@ -9,6 +9,7 @@ so that grey is enough.
 from __future__ import annotations
 
 import math
+import os
 import shutil
 import subprocess
 from dataclasses import dataclass, field
@@ -196,6 +197,16 @@ def front_script(front: Front, terminal: str, path: Path) -> str:
     return "\n".join(lines + ["plot " + ", \\\n  ".join(plots), ""])
 
 
+def gnuplot(commands: str) -> str:
+    """Runs them, and returns what gnuplot complains of."""
+    # Signs such as that of a degree, whatever the language of the machine.
+    outcome = subprocess.run(["gnuplot"], input=commands, text=True,
+                             capture_output=True, encoding="utf-8",
+                             env=os.environ | {"LC_ALL": "C.UTF-8"})
+    status = outcome.returncode
+    return outcome.stderr.strip() or (f"exit status {status}" if status else "")
+
+
 def draw(figures: list, directory: Path) -> list[str]:
     """SVG and PNG of all that have a curve; the names of those."""
     if not shutil.which("gnuplot"):
@@ -212,10 +223,8 @@ def draw(figures: list, directory: Path) -> list[str]:
             continue
         for terminal, suffix in (("svg", "svg"), ("pngcairo", "png")):
             path = directory / f"{figure.name}.{suffix}"
-            outcome = subprocess.run(
-                ["gnuplot"], input=make(figure, terminal, path), text=True,
-                capture_output=True)
-            if outcome.returncode != 0 or outcome.stderr:
-                print(f"gnuplot, {path.name}: {outcome.stderr.strip()[:500]}")
+            complaint = gnuplot(make(figure, terminal, path))
+            if complaint:
+                print(f"gnuplot, {path.name}: {complaint[:500]}")
         drawn.append(figure.name)
     return drawn
