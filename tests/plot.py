@@ -201,15 +201,15 @@ def check_notebook(folder):
 
 
 def check_installed():
-    rules = pathlib.Path(sys.argv[1]).resolve().parent
-    rules = next((d / "cmake_install.cmake" for d in (rules, rules.parent)
-                  if (d / "cmake_install.cmake").exists()), None)
-    if rules is None:
+    rules = [d / "cmake_install.cmake" for d in contact.parents
+             if (d / "CMakeCache.txt").exists()]
+    if not rules:
         check("what is installed: NOT SEEN, the program is in no build folder", True)
         return
+    text = rules[0].read_text()
     check("the module and the notebook are installed", all(
-        name in rules.read_text() for name in
-        ("dist-packages\" TYPE FILE FILES", "contact_results.py", "results.ipynb")))
+        name in text for name in ("dist-packages", "contact_results.py",
+                                  "results.ipynb")))
 
 
 # ---------------------------------------------------------------------- the cases

@@ -102,6 +102,7 @@ ELSEWHERE = {
     "./run plot parameters/ssnp154_d.prm": "program/plot",
     "./run plot mine.prm": "program/plot",
     "./run plot CASE": "program/plot",
+    "./run plot": "program/plot",
     "./run test": "the suite itself",
     "./run package": "a second build",
     "cmake -S . -B build -DDEAL_II_DIR=DIR": "./run, where deal.II is installed",
