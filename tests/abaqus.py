@@ -11,7 +11,10 @@ Proves that
 - parts, instances that are moved and turned, and sets by GENERATE give those of the
   same deck without parts;
 - bars that yield (CAX4) and bars of rubber have the forces of their closed forms;
-- forces at nodes, also at mid-side nodes, are those of a traction.
+- forces at nodes, also at mid-side nodes, are those of a traction;
+- two contact pairs with friction of their own above a tie drag with their parts of
+  the given forces, to 2e-5, and a tie of hexahedra that do not match passes a uniform
+  tension, to 1e-9.
 
 Usage: abaqus.py CONTACT
 """
@@ -286,6 +289,77 @@ Plate_y0, PINNED
         expected, 1e-10)
 
 
+PAIRS = """*TIE, NAME=Glue, ADJUST=NO
+Mid_y0_face, Low_y1_face
+*SURFACE INTERACTION, NAME=Smooth
+*FRICTION
+0.1
+*SURFACE INTERACTION, NAME=Rough
+*FRICTION
+0.4
+*CONTACT PAIR, INTERACTION=Smooth
+A_y0_face, Mid_y1_face
+*CONTACT PAIR, INTERACTION=Rough
+B_y0_face, Mid_y1_face
+*STEP
+*STATIC
+0.5, 1.
+*BOUNDARY
+Low_y0, ENCASTRE
+A_y1, 1
+B_y1, 1
+*DSLOAD
+A_y1_face, P, 20.
+B_y1_face, P, 10.
+*END STEP
+*STEP
+*STATIC
+0.25, 1.
+*BOUNDARY
+A_y1, 1, 1, 0.5
+B_y1, 1, 1, -0.5
+*END STEP
+"""
+
+
+def ties_and_pairs():
+    """Two blocks slide on a plate that is tied to the ground; a tied column is
+    pulled, which contact would not hold."""
+    deck = (Box("Low", "CPE4", (12, 2), box(0, 0, 30, 5)).text()
+            + Box("Mid", "CPE4", (17, 2), box(0, 5, 30, 8), 1000).text()
+            + Box("A", "CPE4", (4, 2), box(3, 8, 9, 10), 2000).text()
+            + Box("B", "CPE4", (5, 2), box(18, 8, 27, 10), 3000).text()
+            + elastic("Low", "Mid", "A", "B", modulus=210000) + PAIRS)
+    a, b = 20 * 6, 10 * 9
+    # Contact is on the deformed surfaces, whose normals turn by 1e-5.
+    compare("a tie and two contact pairs", values(
+        "pairs", deck, "a: reaction x, A_y1; b: reaction x, B_y1; "
+        "x: reaction x, Low_y0; y: reaction y, Low_y0"),
+        {"a": 0.1 * a, "b": -0.4 * b, "x": 0.4 * b - 0.1 * a, "y": a + b}, 2e-5)
+
+    deck = (Box("Low", "C3D8", (2, 2, 1), lambda x, y, z: (6 * x, 6 * y, 4 * z)).text()
+            + Box("Up", "C3D8", (3, 2, 2), lambda x, y, z: (6 * x, 6 * y, 4 + 5 * z),
+                  1000).text()
+            + elastic("Low", "Up") + """*TIE, NAME=Glue
+Up_z0_face, Low_z1_face
+*STEP
+*STATIC
+*BOUNDARY
+Low_z0, ZSYMM
+Low_x0, XSYMM
+Up_x0, XSYMM
+Low_y0, YSYMM
+Up_y0, YSYMM
+*DSLOAD
+Up_z1_face, P, -30.
+*END STEP
+""")
+    compare("a tie of C3D8, pulled", values(
+        "pulled", deck, "u: displacement z, Tip; r: reaction z, Low_z0; "
+        "s: stress zz, Tip", "Mesh/Points=Tip: 6, 6, 9"),
+        {"u": 30 * 9 / 1000, "r": -30 * 36, "s": 30}, 1e-9)
+
+
 if __name__ == "__main__":
     friction()
     uniform()
@@ -293,4 +367,5 @@ if __name__ == "__main__":
     parts()
     bars()
     loads()
+    ties_and_pairs()
     sys.exit(bool(failures))
