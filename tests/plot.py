@@ -262,7 +262,8 @@ def check_bad_input(folder):
     copy = damaged(folder)
     next(iter(sorted(copy.glob("bodies_*.vtu"))[-1:])).write_text("<VTKFile")
     status, said = plot(copy)
-    check("damaged VTU are told", status == 0 and "damaged" in said, said)
+    check("damaged VTU are told, and an earlier picture is gone", status == 0 and
+          "damaged" in said and not (copy / "von_mises.png").exists(), said)
 
 
 plane = case("in 2-D", parameters / "ssnp154_g.prm")

@@ -11,17 +11,20 @@ from pathlib import Path
 import numpy
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersGeneral import vtkTableBasedClipDataSet
+from vtkmodules.vtkRenderingCore import vtkActor
 
 from contact_results import Results
 from drawing import (BAR, SIZE, TITLE, VIRIDIS, bar_actor, body_actor, colours,
                      moved_grid, parallel_view, save, strip, text_actor)
+from examples import edges_of, lines_actor
 from space import field, places, shaded, space_view
 
 AROUND = 1.5  # the size of a view by that of the zone in contact
 DEPTH = 0.75  # of a flat zone, by its length: stresses are largest below it
-SMALLEST = 0.02  # of the bodies: a zone that is a point
+SMALLEST, OF_A_POINT = 1e-4, 0.05  # of the bodies: below the first it is a point
 FACE = 1e-3  # of the bodies: what is closer to their end than that is on it
 DIGITS, FIXED = 3, (1e-3, 1e6)  # of the numbers beside colours; else a power
+MOST_POINTS = 20000  # of a view that has the edges of cells
 LEFT, RIGHT = (0, 0, 0.44, 0.94), (0.44, 0, 0.88, 0.94)
 ALL = (0, 0, BAR[0], BAR[3])
 UPPER, LOWER = (0, 0.47, 0.88, 0.94), (0, 0, 0.88, 0.47)
@@ -52,14 +55,17 @@ def box(points) -> Box:
     return Box(points.min(axis=0), points.max(axis=0))
 
 
-def contact_zone(surface, whole: Box) -> Box | None:
-    """Around what is in contact, if anything is."""
+def touching_box(surface) -> Box | None:
+    """Of what is in contact, if anything is."""
     touching = places(surface)[field(surface, "status") > 0]
-    if len(touching) == 0:
-        return None
-    zone = box(touching)
-    return zone.around(AROUND, max(DEPTH * zone.size.max(),
-                                   SMALLEST * whole.size.max()))
+    return box(touching) if len(touching) else None
+
+
+def zone_around(touching: Box, whole: Box) -> Box:
+    """What is seen of a contact."""
+    size, all_of_it = touching.size.max(), whole.size.max()
+    return touching.around(AROUND, DEPTH * size if size > SMALLEST * all_of_it
+                           else OF_A_POINT * all_of_it)
 
 
 def fitted(seen: Box, part, axes) -> Box:
@@ -101,20 +107,34 @@ def labels(table) -> str:
     return f"%.{max(0, DIGITS - 1 - math.floor(math.log10(largest)))}f"
 
 
-def plane_views(bodies, whole: Box, zone: Box | None):
+def stressed(grid, table, seen: Box) -> list[vtkActor]:
+    """Bodies with the edges of their cells, unless these are so many in what is
+    seen that they would hide the colours."""
+    with_edges = seen.holds(places(grid)).sum() < MOST_POINTS
+    # Of a cell of degree 2 VTK shows the edges of its parts as well.
+    is_linear = grid.GetCell(0).IsLinear()
+    actors = [body_actor(grid, "von_mises", table, bool(with_edges and is_linear))]
+    if with_edges and not is_linear:
+        edges, _ = edges_of(grid, places(grid))
+        actors.append(lines_actor(places(grid), edges, 1))
+    return actors
+
+
+def plane_views(bodies, whole: Box, touching: Box | None):
     """All of the bodies, and the mesh at the contact; and the colours."""
     seen, axes = whole.around(1.06), (0, 1)
-    if zone is None:
+    if touching is None:
         table = stress_table(bodies, None)
-        return table, [seen_along(ALL, seen, axes, 1,
-                                  [body_actor(bodies, "von_mises", table, True)])]
+        return table, [seen_along(ALL, seen, axes, 1, stressed(bodies, table, seen))]
+    zone = zone_around(touching, whole)
     wide = whole.size[0] > 1.3 * whole.size[1]
     first, second = (UPPER, LOWER) if wide else (LEFT, RIGHT)
-    table = stress_table(bodies, fitted(zone, second, axes))
-    return table, [seen_along(part, box_of_part, axes, 1,
-                              [body_actor(bodies, "von_mises", table, edges)])
-                   for part, box_of_part, edges in ((first, seen, False),
-                                                    (second, zone, True))]
+    shown = fitted(zone, second, axes)
+    table = stress_table(bodies, shown)
+    return table, [seen_along(first, seen, axes, 1,
+                              [body_actor(bodies, "von_mises", table, False)]),
+                   seen_along(second, zone, axes, 1,
+                              stressed(bodies, table, shown))]
 
 
 def cut(bodies, origin, axis: int):
@@ -129,33 +149,37 @@ def cut(bodies, origin, axis: int):
     return clip.GetOutput()
 
 
-def directions(zone: Box) -> tuple[int, int, int]:
+def directions(touching: Box) -> tuple[int, int, int]:
     """The axes across a cut through the contact, along it, and along the normal,
-    in which the zone is thinnest."""
-    normal = int(zone.size.argmin())
+    in which the contact is thinnest."""
+    normal = int(touching.size.argmin())
     across = 0 if normal == 1 else 1
     return across, 3 - normal - across, normal
 
 
-def space_views(bodies, whole: Box, zone: Box | None):
+def space_views(bodies, whole: Box, touching: Box | None):
     """All of the bodies, and the mesh on a cut through the contact, which is a
     plane of symmetry, or in the middle of what touches; and the colours."""
-    table = stress_table(bodies, zone)
-    across, along, normal = directions(whole if zone is None else zone)
+    across, along, normal = directions(touching or whole)
     aslant = [0.0, 0.0, 0.0]
     aslant[across], aslant[along], aslant[normal] = -1.0, -0.45, 0.5
     bounds = numpy.c_[whole.low, whole.high].ravel()
+    zone = zone_around(touching, whole) if touching else None
+    table = stress_table(bodies, zone)
     actors = [shaded(body_actor(bodies, "von_mises", table, zone is None))]
     if zone is None:
         return table, [space_view(ALL, aslant, bounds, actors, up=unit(normal))]
-    origin, tiny = zone.centre, FACE * whole.size.max()
-    # Just beyond the face, which is kept whole by that.
-    if zone.low[across] < whole.low[across] + tiny:
+    origin, tiny, side = touching.centre, FACE * whole.size.max(), -1
+    # Just beyond a face, which is kept whole by that.
+    if touching.low[across] < whole.low[across] + tiny:
         origin[across] = whole.low[across] - tiny
+    elif touching.high[across] > whole.high[across] - tiny:
+        origin[across], side = whole.low[across] - tiny, 1
+        aslant[across] = 1.0
     on_cut = body_actor(cut(bodies, origin, across), "von_mises", table, True)
     return table, [
         space_view(LEFT, aslant, bounds, actors, nearer=1.2, up=unit(normal)),
-        seen_along(RIGHT, zone, (along, normal), -1, [on_cut])]
+        seen_along(RIGHT, zone, (along, normal), side, [on_cut])]
 
 
 def in_space(case: Results) -> bool:
@@ -179,12 +203,12 @@ def time_shown(case: Results) -> float:
 def draw_bodies(case: Results, path: Path) -> list[Path]:
     """The von Mises stress, beside it where bodies touch."""
     time = time_shown(case)
-    bodies, zone = moved_grid(case.folder, "bodies", time), None
+    bodies, touching = moved_grid(case.folder, "bodies", time), None
     whole = box(places(bodies))
     if (case.folder / "contact.pvd").exists():
-        zone = contact_zone(moved_grid(case.folder, "contact", time), whole)
+        touching = touching_box(moved_grid(case.folder, "contact", time))
     draw = plane_views if whole.size[2] == 0 else space_views
-    table, views = draw(bodies, whole, zone)
+    table, views = draw(bodies, whole, touching)
     title = (f"{case.name}: von Mises stress [MPa], displacements x 1, "
              f"t = {time:g}")
     save([strip(TITLE, [text_actor(title, 0.02, 0.3)]),
@@ -197,10 +221,10 @@ def draw_pressure(case: Results, path: Path) -> list[Path]:
     time = time_shown(case)
     surface = moved_grid(case.folder, "contact", time)
     whole = box(places(surface))
-    zone = contact_zone(surface, whole)
-    if zone is None:
+    touching = touching_box(surface)
+    if touching is None:
         raise ValueError("nothing has touched")
-    _, _, normal = directions(zone)
+    zone, (_, _, normal) = zone_around(touching, whole), directions(touching)
     right, up = (d for d in range(3) if d != normal)
     # From outside of a body that is round there.
     sign = 1 if zone.centre[normal] > whole.centre[normal] else -1

@@ -155,8 +155,8 @@ class Results:
         if not path.exists():
             raise FileNotFoundError(
                 f"{self.folder} has no {name}"
-                + (f": the case has to ask for it, {entry} = true, and an increment "
-                   "has to converge" if entry else ""))
+                + (f": the case asks for it by {entry} = true; there is none without "
+                   "contact, or before an increment has converged" if entry else ""))
         return path
 
     def _files(self, series: str) -> list[tuple[float, Path]]:

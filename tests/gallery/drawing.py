@@ -215,8 +215,12 @@ def parallel_view(part, centre, towards_viewer, up, half_height, actors,
     shown = renderer(part, actors, labels)
     camera = shown.GetActiveCamera()
     camera.ParallelProjectionOn()
+    # Outside of all that is shown: VTK cuts off what is close to the camera.
+    low_high = shown.ComputeVisiblePropBounds()
+    far = 2 * sum(b - a for a, b in zip(low_high[::2], low_high[1::2])) \
+        if actors else 1
     camera.SetFocalPoint(*centre)
-    camera.SetPosition(*(c + t for c, t in zip(centre, towards_viewer)))
+    camera.SetPosition(*(c + far * t for c, t in zip(centre, towards_viewer)))
     camera.SetViewUp(*up)
     camera.SetParallelScale(half_height)
     shown.ResetCameraClippingRange()

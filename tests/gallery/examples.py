@@ -98,7 +98,7 @@ def edges_of(grid, at) -> tuple[list[tuple], list[tuple]]:
     shared: dict[tuple, list[tuple]] = {}
     for i in range(grid.GetNumberOfCells()):
         cell = grid.GetCell(i)
-        for k in range(4):
+        for k in range(cell.GetNumberOfEdges()):
             ids = [cell.GetEdge(k).GetPointId(j)
                    for j in range(cell.GetEdge(k).GetNumberOfPoints())]
             nodes = (ids[0], *ids[2:], ids[1])

@@ -31,6 +31,9 @@ from page import write_page  # noqa: E402
 CASES = (".prm", ".json")
 ASKED_FOR = '--set Output/VTU=true --set Output/Profile=true'
 PAGE = "report.html"
+# Of an earlier call they would stay where there is nothing to draw now.
+WRITTEN = ("von_mises.png", "pressure.png", "tractions.png", "tractions.svg",
+           "history.png", "history.svg", PAGE)
 
 
 def results_of(argument: str) -> Results:
@@ -72,6 +75,8 @@ def plot(case: Results) -> Path:
     """The page."""
     if case.summary["increments"] == []:
         raise ValueError(f"{case.folder} has no increments: the run has not begun")
+    for old in WRITTEN:
+        (case.folder / old).unlink(missing_ok=True)
     pictures, missing = {}, []
     for words, draw in PICTURES.items():
         try:
