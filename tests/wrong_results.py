@@ -44,6 +44,9 @@ Proves that
   pushes;
 - a circle that passes between two nodes unseen is a violation, of any radius and
   whatever its way until it touched, and so is a body that goes through a foil whose both sides are the master;
+- nodes that come out from under the trailing corner of a sliding block have not gone
+  through it;
+- ridges that cross between all points of contact are told;
 - a bar of St. Venant and Kirchhoff's material is as its law says, and no result where
   the law has none and cells shrink to nothing;
 - a history that turns back inside an increment is noted, and so is an increment in
@@ -1080,6 +1083,56 @@ def foil():
               said[:400])
 
 
+def from_under():
+    """A block that slides on a longer one, whose nodes come out from under its
+    trailing corner: they cut a corner, and have not gone through the block. The
+    forces are those with its sole alone as slave."""
+    forces = []
+    for ends in (("bottom",), ("bottom", "left", "right")):
+        mesh = Mesh()
+        mesh.block("A", 20, 1, box(0, -0.4, 40, 0), {"bottom": "Base", "top": "Ground"})
+        mesh.block("B", 6, 1, box(5, 0, 15, 0.4),
+                   {**{side: "Sole" for side in ends}, "top": "Head"})
+        mesh.write("from_under")
+        status, said, summary = run("from_under", {
+            "Mesh/File": "from_under.msh", **CONTACT,
+            **solids("A: 1000, B: 1000", kinematics="large displacement"),
+            "Boundary conditions/Displacement x": "Base: 0, Head: 6",
+            "Boundary conditions/Displacement y": "Base: 0, Head: -0.01",
+            "Boundary conditions/Histories": "Displacement y: min(1, 6*t)",
+            "Contact/Friction coefficient": 0.3,
+            "Probes/Probes": "Fy: reaction y, Head", "Solution/Increments": "6"})
+        check(f"{ends}: nothing goes through", status == 0, said[-400:])
+        forces.append(summary["probes"][0]["value"] if status == 0 else 0)
+    check("  the same force", forces[0] < 0 and
+          abs(forces[1] / forces[0] - 1) < 1e-8, f"{forces}")
+
+
+def crossed_ridges():
+    """Two bars on edge, one across the other, pushed by less than a facet is
+    wide: no point of contact looks where they cross. That no force acts there is
+    a violation, wherever along the facets they cross."""
+    def roof(along, side):
+        def chart(r, s, t):
+            u, v = 4 * r - 2 + 0.15 * side, 2 * s - 1
+            z = side * ((1 - t) * abs(v) + 1.5 * t)
+            return (u, v, z) if along == "x" else (v, u, z)
+        return chart
+    for rule in ("nodal", "mortar"):
+        volumes = Volumes()
+        volumes.block("A", (10, 4, 2), roof("x", -1))
+        volumes.block("B", (10, 4, 2), roof("y", 1))
+        volumes.write("crossed_ridges")
+        status, said, summary = run("crossed_ridges", {
+            "Mesh/File": "crossed_ridges.msh", "Contact/Slave": "B_z0",
+            "Contact/Master": "A_z0", "Contact/Discretization": rule,
+            **solids("A: 1000, B: 1000", "A: 0.3, B: 0.3"),
+            **{f"Boundary conditions/Displacement {d}":
+               f"A_z1: 0, B_z1: {-0.03 if d == 'z' else 0}" for d in "xyz"}})
+        check(f"ridges, {rule}: told", status == 1 and
+              "inside of the other body" in said, said[-400:])
+
+
 def turning():
     mesh = Mesh()
     mesh.block("B", 4, 4, box(0, 0, 1, 1), {"bottom": "Base", "top": "Head"})
@@ -1641,7 +1694,8 @@ def closed():
 for scene in (carried, closed, buckling, overlap, cantilever, halves, teeth, own_master, round_off,
               lost_ways, on_a_corner, beyond_round_off, held_ends, dragged, driven, cornered,
               in_a_corner, concave_corner, too_coarse, over_rim, far_sides, roles, tied, flank, groove,
-              slide, pinned, clamped, between_nodes, approached, through, foil, turning, shrunk, snap_through, coarse_fit, flat_ends, glued_apart, idle,
+              slide, pinned, clamped, between_nodes, approached, through, foil,
+              from_under, crossed_ridges, turning, shrunk, snap_through, coarse_fit, flat_ends, glued_apart, idle,
               held_nodes, left_free, stands_on_corner, left_floating, eccentric, round_and_apart, through_zero, nominal_loads, normal_supports,
               along_edges, beyond_end):
     print(scene.__name__)

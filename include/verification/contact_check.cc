@@ -150,11 +150,6 @@ namespace Contact
       return;
     const double of_obstacle =
       contact_pair.obstacle ? contact_pair.obstacle->way(now.X).norm() : 0.;
-    if (pushes && of_obstacle == 0)
-      now.depth -= std::max(
-        0.,
-        largest_depth(contact_pair, u_start.zero(), /*as_drawn=*/false).depth -
-          clearance(contact_pair));
     // The way until the surfaces touched says nothing of the forces; the bodies
     // may not have deformed yet before the end of a run.
     double     way = of_obstacle, deformed = 0;
@@ -215,17 +210,17 @@ namespace Contact
                                          ContactInvariants      &found) const
   {
     const auto crossing = find_crossing(contact_pair, u_start, solution);
-    if (!crossing || crossing->depth <= clearance(contact_pair))
+    if (crossing.depth <= clearance(contact_pair))
       return;
     found.check("depth",
-                crossing->depth,
+                crossing.depth,
                 0,
                 "the node of the " +
-                  std::string(crossing->of_master ? "master" : "slave") +
-                  " at X = (" + brief(crossing->X) +
+                  std::string(crossing.of_master ? "master" : "slave") +
+                  " at X = (" + brief(crossing.X) +
                   ") mm has gone through the other body in this increment, and "
                   "is " +
-                  brief(crossing->depth) + " mm behind the side it went in by",
+                  brief(crossing.depth) + " mm behind the side it went in by",
                 "Take only the side that is to be touched as master, or more "
                 "increments.");
   }

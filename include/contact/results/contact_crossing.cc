@@ -7,129 +7,64 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
 
 #include "base/errors.h"
 #include "base/string_utilities.h"
+#include "contact/results/body_boundary.h"
 
 namespace Contact
 {
   namespace
   {
-    /// A place before and after.
-    using Path = std::array<Point<2>, 2>;
-
-    /// The smallest and the largest coordinates of places.
-    struct Box
+    /// What a place has closest to it: of a body the facet, of an obstacle the
+    /// radius of curvature [mm].
+    template<int dim>
+    struct ClosestSide
     {
-      Point<2> low{std::numeric_limits<double>::max(),
-                   std::numeric_limits<double>::max()};
-      Point<2> high{-low};
+      Tensor<1, dim>  normal;
+      Projection<dim> closest;
+      double          depth  = 0; // [mm]
+      double          radius = 0;
 
-      void add(const Path &path)
+      bool is_opposite(const ClosestSide &other) const
       {
-        for (const Point<2> &x : path)
-          for (unsigned int i = 0; i < 2; ++i)
-            {
-              low[i]  = std::min(low[i], x[i]);
-              high[i] = std::max(high[i], x[i]);
-            }
-      }
-
-      bool meets(const Box &other) const
-      {
-        return low[0] <= other.high[0] && other.low[0] <= high[0] &&
-               low[1] <= other.high[1] && other.low[1] <= high[1];
+        return normal * other.normal < 0;
       }
     };
 
+    template<int dim>
+    using Passage = std::pair<ClosestSide<dim>, ClosestSide<dim>>;
 
 
-    /// A straight piece of a surface between two nodes; the body is to the left
-    /// of it.
-    struct Piece
+
+    /// What is closest to a place just before and just after the time, from 0
+    /// to 1, at which it jumps to the opposite side, or where the place is half
+    /// of the radius deep; nothing if the closest side turns continuously, or
+    /// is the same. Found by bisection of the time with @p seen_at.
+    template<int dim>
+    std::optional<Passage<dim>>
+    find_jump(const std::function<ClosestSide<dim>(const double)> &seen_at)
     {
-      std::array<unsigned int, 2> nodes;
-      std::array<Path, 2>         ends;
-      Box                         box;
-
-      /// The outward normal at the end of the path, times the length.
-      Tensor<1, 2> outward() const
-      {
-        return cross_product_2d(ends[1][1] - ends[0][1]);
-      }
-    };
-
-
-
-    double area(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
-    {
-      return a[0] * b[1] - a[1] * b[0];
-    }
-
-
-
-    /// Of a place that moves past a piece: 1 if it goes into the body through
-    /// the piece, -1 if it comes out, 0 if neither or both. With the time t
-    /// from 0 to 1 it is on the line of the piece where the area that it spans
-    /// with the two ends vanishes, a polynomial of degree two.
-    int crossing(const Path &place, const Piece &piece)
-    {
-      const Tensor<1, 2> along_0 = piece.ends[1][0] - piece.ends[0][0];
-      const Tensor<1, 2> along_1 =
-        (piece.ends[1][1] - piece.ends[0][1]) - along_0;
-      const Tensor<1, 2> r_0 = place[0] - piece.ends[0][0];
-      const Tensor<1, 2> r_1 = (place[1] - piece.ends[0][1]) - r_0;
-      const double       c   = area(along_0, r_0);
-      const double       b   = area(along_0, r_1) + area(along_1, r_0);
-      const double       a   = area(along_1, r_1);
-
-      // The body is where the area is positive.
-      const double discriminant = b * b - 4 * a * c;
-      if (!(discriminant > 0))
-        return 0;
-      const double q   = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
-      int          sum = 0;
-      for (const double t : {q / a, c / q})
-        if (t > 0 && t <= 1)
-          {
-            const Tensor<1, 2> along = along_0 + t * along_1;
-            const double s = (r_0 + t * r_1) * along / along.norm_square();
-            if (s >= 0 && s <= 1)
-              sum += b + 2 * a * t > 0 ? 1 : -1;
-          }
-      return sum;
-    }
-
-
-
-    std::vector<Piece> pieces_of(const Surface<2>    &surface,
-                                 const GhostedVector &from,
-                                 const GhostedVector &to)
-    {
-      std::vector<Piece> pieces;
-      for (const SurfaceFacet<2> &edge : surface.facets)
+      Passage<dim> ends{seen_at(0), seen_at(1)};
+      double       from = 0, to = 1;
+      const double resolution = 1e-3; // of the motion
+      while (ends.first.is_opposite(ends.second))
         {
-          // The nodes of an edge are its two ends, then the one between.
-          std::vector<unsigned int> nodes{edge.nodes[0], edge.nodes[1]};
-          if (surface.n_nodes_per_facet() == 3)
-            nodes.insert(nodes.begin() + 1, edge.nodes[2]);
-          for (unsigned int k = 0; k + 1 < nodes.size(); ++k)
-            {
-              Piece piece;
-              for (unsigned int a = 0; a < 2; ++a)
-                {
-                  piece.nodes[a] = nodes[k + a];
-                  piece.ends[a]  = {{surface.position(nodes[k + a], from),
-                                     surface.position(nodes[k + a], to)}};
-                }
-              piece.box.add(piece.ends[0]);
-              piece.box.add(piece.ends[1]);
-              pieces.push_back(piece);
-            }
+          if (to - from < resolution)
+            return ends;
+          const double middle = (from + to) / 2;
+          const auto   at     = seen_at(middle);
+          if (at.radius > 0 && at.depth > at.radius / 2)
+            return Passage<dim>{ends.first, at};
+          const bool is_before                   = ends.first.is_opposite(at);
+          (is_before ? to : from)                = middle;
+          (is_before ? ends.second : ends.first) = at;
         }
-      return pieces;
+      return {};
     }
 
 
@@ -143,121 +78,136 @@ namespace Contact
 
 
 
-    /// The piece that a place which does not go in by any was in front of: the
-    /// closest one to begin with.
-    const Piece *closest_at_start(const Point<2>           &x,
-                                  const std::vector<Piece> &pieces)
-    {
-      const Piece *closest  = nullptr;
-      double       distance = std::numeric_limits<double>::max();
-      for (const Piece &piece : pieces)
-        {
-          const Point<2>     a     = piece.ends[0][0];
-          const Tensor<1, 2> along = piece.ends[1][0] - a;
-          const double       s =
-            std::max(0., std::min(1., (x - a) * along / along.norm_square()));
-          if (const double d = x.distance(a + s * along); d < distance)
-            {
-              distance = d;
-              closest  = &piece;
-            }
-        }
-      return closest;
-    }
-
-
-
-    void look(const Surface<2>                  &surface,
-              const Surface<2>                  &other,
-              const bool                         is_master,
-              const GhostedVector               &from,
-              const GhostedVector               &to,
-              std::optional<ContactCrossing<2>> &deepest)
-    {
-      const auto pieces = pieces_of(other, from, to);
-      for (unsigned int i = 0; i < surface.nodes.size(); ++i)
-        {
-          const Path path{{surface.position(i, from), surface.position(i, to)}};
-          Box        box;
-          box.add(path);
-          std::vector<const Piece *> in, out;
-          for (const Piece &piece : pieces)
-            if (box.meets(piece.box))
-              {
-                const int direction = crossing(path, piece);
-                if (direction != 0)
-                  (direction > 0 ? in : out).push_back(&piece);
-              }
-          if (!out.empty() && in.empty())
-            in.push_back(closest_at_start(path[0], pieces));
-          for (const Piece *entry : in)
-            for (const Piece *exit : out)
-              {
-                const bool have_common_node =
-                  std::find_first_of(entry->nodes.begin(),
-                                     entry->nodes.end(),
-                                     exit->nodes.begin(),
-                                     exit->nodes.end()) != entry->nodes.end();
-                if (have_common_node || entry->outward() * exit->outward() >= 0)
-                  continue;
-                const double depth = (entry->ends[0][1] - path[1]) *
-                                     entry->outward() / entry->outward().norm();
-                if (depth > (deepest ? deepest->depth : digits_of(surface)))
-                  deepest = {is_master, surface.nodes[i].X, depth};
-              }
-        }
-    }
-
-
-
-    void look_at_bodies(const ContactPair<2>              &contact_pair,
-                        const GhostedVector               &from,
-                        const GhostedVector               &to,
-                        std::optional<ContactCrossing<2>> &deepest)
-    {
-      const Surface<2> &slave = contact_pair.slave;
-      look(slave, *contact_pair.master, false, from, to, deepest);
-      look(*contact_pair.master, slave, true, from, to, deepest);
-    }
-
-    void look_at_bodies(const ContactPair<3> &,
-                        const GhostedVector &,
-                        const GhostedVector &,
-                        std::optional<ContactCrossing<3>> &)
-    {
-    }
-
-
-
-    /// Whether a straight path, against an obstacle that stands still, leads
-    /// through it.
+    /// Both surfaces of a contact pair on straight paths from one state to
+    /// another.
     template<int dim>
-    bool goes_through(const Obstacle<dim> &obstacle,
-                      const Point<dim>    &from,
-                      const Point<dim>    &to)
+    class Paths
     {
-      const unsigned int n    = 32;
-      auto               last = obstacle.closest_point(from);
-      for (unsigned int k = 1; k <= n; ++k)
+    public:
+      Paths(const Surface<dim>  &surface,
+            const Surface<dim>  &faced,
+            const GhostedVector &from,
+            const GhostedVector &to)
+        : surface(surface)
+        , faced(faced)
+        , own{{surface.positions(from), surface.positions(to)}}
+        , other{{faced.positions(from), faced.positions(to)}}
+      {
+      }
+
+      Point<dim> place(const unsigned int node, const double time) const
+      {
+        return between(own[0][node], own[1][node], time);
+      }
+
+      /// The other surface at a time, made once.
+      const DeformedSurface<dim> &at(const double time)
+      {
+        const auto known = made.find(time);
+        if (known != made.end())
+          return *known->second;
+        std::vector<Point<dim>> positions;
+        for (unsigned int i = 0; i < other[0].size(); ++i)
+          positions.push_back(between(other[0][i], other[1][i], time));
+        return *(made[time] =
+                   std::make_unique<DeformedSurface<dim>>(faced,
+                                                          positions,
+                                                          /*overhang=*/0.));
+      }
+
+      /// What is closest to a node at a time.
+      ClosestSide<dim> seen_at(const unsigned int node, const double time)
+      {
+        const auto &now     = at(time);
+        const auto  x       = place(node, time);
+        const auto  closest = now.closest_point(x);
+        return {now.normal(closest.facet, closest.xi),
+                closest,
+                depth_behind(now, closest, x)};
+      }
+
+      const Surface<dim> &surface, &faced;
+
+    private:
+      static Point<dim>
+      between(const Point<dim> &from, const Point<dim> &to, const double time)
+      {
+        return from + time * (to - from);
+      }
+
+      const std::array<std::vector<Point<dim>>, 2>            own, other;
+      std::map<double, std::unique_ptr<DeformedSurface<dim>>> made;
+    };
+
+
+
+    /// Whether two facets have a vertex in common.
+    template<int dim>
+    bool meet(const SurfaceFacet<dim> &one, const SurfaceFacet<dim> &other)
+    {
+      return std::find_first_of(one.name.begin(),
+                                one.name.end(),
+                                other.name.begin(),
+                                other.name.end()) != one.name.end();
+    }
+
+
+
+    /// Nodes of a surface that go through the other body. Each process looks
+    /// at its share of them.
+    template<int dim>
+    void look(Paths<dim>            paths,
+              const bool            of_master,
+              const MPI_Comm        communicator,
+              ContactCrossing<dim> &deepest)
+    {
+      const Surface<dim> &surface = paths.surface;
+      for (const unsigned int i :
+           Utilities::MPI::create_evenly_distributed_partitioning(
+             communicator,
+             surface.nodes.size()))
         {
-          const Point<dim> x     = from + double(k) / n * (to - from);
-          const auto       next  = obstacle.closest_point(x);
-          const double     depth = -(next.normal * (x - next.x));
-          if (depth > 0 && (last.normal * next.normal < 0 ||
-                            (next.radius > 0 && depth > next.radius / 2)))
-            return true;
-          last = next;
+          const auto jump = find_jump<dim>(
+            [&](const double time) { return paths.seen_at(i, time); });
+          if (!jump || jump->second.depth <= 0 ||
+              meet(paths.faced.facets[jump->first.closest.facet],
+                   paths.faced.facets[jump->second.closest.facet]))
+            continue;
+          const auto        &now   = paths.at(1);
+          const unsigned int facet = jump->first.closest.facet;
+          const auto        &xi    = jump->first.closest.xi;
+          const double depth = (now.position(facet, xi) - paths.place(i, 1)) *
+                               now.normal(facet, xi);
+          if (depth > std::max(deepest.depth, digits_of(surface)))
+            deepest = {of_master, surface.nodes[i].X, depth};
         }
-      return false;
     }
 
 
 
     template<int dim>
-    void look_at_obstacle(const ContactPair<dim>              &contact_pair,
-                          const GhostedVector                 &from,
-                          const GhostedVector                 &to,
-                          std::optional<ContactCrossing<dim>> &deepest)
+    void look_at_bodies(const ContactPair<dim> &contact_pair,
+                        const GhostedVector    &from,
+                        const GhostedVector    &to,
+                        ContactCrossing<dim>   &deepest)
+    {
+      const MPI_Comm communicator = contact_pair.discretization.communicator;
+      const Surface<dim> &slave   = contact_pair.slave,
+                         &master  = *contact_pair.master;
+      look<dim>({slave, master, from, to}, false, communicator, deepest);
+      look<dim>({master, slave, from, to}, true, communicator, deepest);
+      deepest = deepest_of_all(communicator, deepest);
+    }
+
+
+
+    /// Nodes of the slave that go through an obstacle, which stands still where
+    /// it is carried to: the path is that against its material.
+    template<int dim>
+    void look_at_obstacle(const ContactPair<dim> &contact_pair,
+                          const GhostedVector    &from,
+                          const GhostedVector    &to,
+                          ContactCrossing<dim>   &deepest)
     {
       const Obstacle<dim> &obstacle = *contact_pair.obstacle;
       const Surface<dim>  &slave    = contact_pair.slave;
@@ -265,11 +215,19 @@ namespace Contact
         {
           const Point<dim> start = obstacle.carried(slave.position(i, from));
           const Point<dim> end   = slave.position(i, to);
-          const auto       in    = obstacle.closest_point(start);
-          const auto       out   = obstacle.closest_point(end);
-          const double     depth = in.normal * (in.x - end);
-          if (depth > (deepest ? deepest->depth : digits_of(slave)) &&
-              in.normal * out.normal < 0 && goes_through(obstacle, start, end))
+          const auto       jump  = find_jump<dim>([&](const double time) {
+            const Point<dim> x       = start + time * (end - start);
+            const auto       closest = obstacle.closest_point(x);
+            return ClosestSide<dim>{closest.normal,
+                                    {},
+                                    closest.normal * (closest.x - x),
+                                    closest.radius};
+          });
+          if (!jump || jump->second.depth <= 0)
+            continue;
+          const auto   in    = obstacle.closest_point(start);
+          const double depth = in.normal * (in.x - end);
+          if (depth > std::max(deepest.depth, digits_of(slave)))
             deepest = {false, slave.nodes[i].X, depth};
         }
     }
@@ -278,12 +236,11 @@ namespace Contact
 
 
   template<int dim>
-  std::optional<ContactCrossing<dim>>
-  find_crossing(const ContactPair<dim> &contact_pair,
-                const GhostedVector    &from,
-                const GhostedVector    &to)
+  ContactCrossing<dim> find_crossing(const ContactPair<dim> &contact_pair,
+                                     const GhostedVector    &from,
+                                     const GhostedVector    &to)
   {
-    std::optional<ContactCrossing<dim>> deepest;
+    ContactCrossing<dim> deepest;
     if (contact_pair.master)
       look_at_bodies(contact_pair, from, to, deepest);
     else
@@ -301,21 +258,20 @@ namespace Contact
   {
     for (const auto &contact_pair : pairs)
       if (contact_pair->obstacle && !contact_pair->tied)
-        if (const auto crossing = find_crossing(*contact_pair, from, to))
+        if (const auto crossing = find_crossing(*contact_pair, from, to);
+            crossing.depth > 0)
           throw NotConverged(
-            "an obstacle goes through its slave at X = (" + brief(crossing->X) +
-            ") mm within the increment: the node is " + brief(crossing->depth) +
+            "an obstacle goes through its slave at X = (" + brief(crossing.X) +
+            ") mm within the increment: the node is " + brief(crossing.depth) +
             " mm behind the side that it was in front of");
   }
 
-  template std::optional<ContactCrossing<2>>
-  find_crossing(const ContactPair<2> &,
-                const GhostedVector &,
-                const GhostedVector &);
-  template std::optional<ContactCrossing<3>>
-  find_crossing(const ContactPair<3> &,
-                const GhostedVector &,
-                const GhostedVector &);
+  template ContactCrossing<2> find_crossing(const ContactPair<2> &,
+                                            const GhostedVector &,
+                                            const GhostedVector &);
+  template ContactCrossing<3> find_crossing(const ContactPair<3> &,
+                                            const GhostedVector &,
+                                            const GhostedVector &);
   template void
   check_obstacles(const std::vector<std::unique_ptr<const ContactPair<2>>> &,
                   const GhostedVector &,

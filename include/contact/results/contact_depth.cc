@@ -5,13 +5,12 @@
 
 #include "contact/results/contact_depth.h"
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
-#include <array>
-#include <boost/serialization/array.hpp>
 #include <cmath>
 #include <limits>
+#include <optional>
+
+#include "contact/results/body_boundary.h"
 
 namespace Contact
 {
@@ -79,42 +78,81 @@ namespace Contact
 
 
 
-    /// Whether the closest place of a surface is on a side where it ends.
-    template<int dim>
-    bool is_at_end(const Surface<dim> &surface, const Projection<dim> &closest)
+    /// A straight piece of an edge of a surface, where facets of different
+    /// sides meet or the surface ends, and its ends in coordinates of the
+    /// facet.
+    struct EdgePiece
     {
-      const SurfaceFacet<dim> &facet = surface.facets[closest.facet];
-      for (unsigned int s = 0; s < facet.n_sides; ++s)
-        if (facet.ends_surface(s) &&
-            (s % 2 == 0 ? -1 : 1) * coordinate(closest.xi, s / 2) >= 1)
-          return true;
-      return false;
+      Point<3>      from, to;
+      FacetPoint<3> xi_from, xi_to;
+    };
+
+    std::vector<EdgePiece> edge_pieces(const DeformedSurface<3> &surface,
+                                       const unsigned int        facet)
+    {
+      const SurfaceFacet<3> &of = surface.surface.facets[facet];
+      const unsigned int     n  = surface.surface.degree;
+      std::vector<EdgePiece> pieces;
+      for (unsigned int side = 0; side < of.n_sides; ++side)
+        if (of.corner[side] || of.ends_surface(side))
+          for (unsigned int piece = 0; piece < n; ++piece)
+            {
+              EdgePiece edge;
+              edge.xi_from[side / 2] = edge.xi_to[side / 2] =
+                side % 2 == 0 ? -1 : 1;
+              edge.xi_from[1 - side / 2] = -1 + 2. * piece / n;
+              edge.xi_to[1 - side / 2]   = -1 + 2. * (piece + 1) / n;
+              edge.from = surface.position(facet, edge.xi_from);
+              edge.to   = surface.position(facet, edge.xi_to);
+              pieces.push_back(edge);
+            }
+      return pieces;
     }
 
 
 
-    /// The depth of a place behind the closest place of the boundary of a body:
-    /// at a convex edge it is behind all facets that meet there. Zero outside.
-    template<int dim>
-    double depth_behind(const DeformedSurface<dim> &boundary,
-                        const Projection<dim>      &closest,
-                        const Point<dim>           &x)
+    /// The place of an edge that is closest to another one, both as lines, if
+    /// it is between the ends of both.
+    std::optional<FacetPoint<3>> closest_to(const EdgePiece &other,
+                                            const EdgePiece &own)
     {
-      const auto is_behind = [&](const auto facet, const auto &xi) {
-        return (x - boundary.position(facet, xi)) * boundary.normal(facet, xi) <
-               0;
-      };
-      const bool is_inside =
-        !is_at_end(boundary.surface, closest) &&
-        is_behind(closest.facet, closest.xi) &&
-        std::all_of(closest.twins.begin(),
-                    closest.twins.end(),
-                    [&](const auto &twin) {
-                      return is_behind(twin.first, twin.second);
-                    });
-      return is_inside
-               ? x.distance(boundary.position(closest.facet, closest.xi))
-               : 0;
+      const Tensor<1, 3> d = own.to - own.from, e = other.to - other.from,
+                         r = own.from - other.from;
+      const double dd = d * d, ee = e * e, de = d * e;
+      const double sine_square = 1 - de * de / (dd * ee);
+      if (!(sine_square > std::numeric_limits<double>::epsilon()))
+        return {};
+      const double s = (de * (e * r) / ee - d * r) / (dd * sine_square);
+      const double t = (e * r - de * (d * r) / dd) / (ee * sine_square);
+      if (s < 0 || s > 1 || t < 0 || t > 1)
+        return {};
+      return own.xi_from + s * (own.xi_to - own.xi_from);
+    }
+
+
+
+    /// Where the edges of a facet are closest to those of another surface: in
+    /// 3-D two edges that cross may be inside of each other there alone. In 2-D
+    /// an edge is a node.
+    std::vector<FacetPoint<3>> crossings(const DeformedSurface<3> &own,
+                                         const unsigned int        facet,
+                                         const DeformedSurface<3> &other)
+    {
+      std::vector<FacetPoint<3>> places;
+      for (const EdgePiece &edge : edge_pieces(own, facet))
+        for (const unsigned int f : other.facets_in(
+               BoundingBox<3>(std::vector<Point<3>>{edge.from, edge.to})))
+          for (const EdgePiece &crossed : edge_pieces(other, f))
+            if (const auto place = closest_to(crossed, edge))
+              places.push_back(*place);
+      return places;
+    }
+
+    std::vector<FacetPoint<2>> crossings(const DeformedSurface<2> &,
+                                         const unsigned int,
+                                         const DeformedSurface<2> &)
+    {
+      return {};
     }
 
 
@@ -136,52 +174,34 @@ namespace Contact
         boundary_drawn(boundary.surface, {});
       const auto of_own = sagittas(drawn), of_other = sagittas(boundary_drawn);
       const BoundingBox<dim> box(boundary.positions);
-      const auto             places = places_of_facet<dim>(/*with_nodes=*/true);
+      const auto             look_at = [&](const unsigned int     e,
+                               const FacetPoint<dim> &xi) {
+        const Point<dim> x = own.position(e, xi);
+        if (!box.point_inside(x))
+          return;
+        const auto         closest = boundary.closest_point(x);
+        const unsigned int f       = closest.facet;
+        const double       behind = depth_behind(boundary, closest, x);
+        const double       depth =
+          as_drawn ? behind : behind - of_own[e] - of_other[f];
+        if (depth > deepest.depth && behind < way)
+          deepest = {depth,
+                     is_master,
+                     drawn.position(e, xi),
+                     is_master ? slave.closest_alone(x).facet : e,
+                     (boundary.position(f, closest.xi) - x) / behind};
+      };
+      const auto places = places_of_facet<dim>(/*with_nodes=*/true);
       for (const unsigned int e :
            Utilities::MPI::create_evenly_distributed_partitioning(
              communicator,
              own.surface.facets.size()))
-        for (const FacetPoint<dim> &xi : places)
-          {
-            const Point<dim> x = own.position(e, xi);
-            if (!box.point_inside(x))
-              continue;
-            const auto         closest = boundary.closest_point(x);
-            const unsigned int f       = closest.facet;
-            const double       behind  = depth_behind(boundary, closest, x);
-            const double       depth =
-              as_drawn ? behind : behind - of_own[e] - of_other[f];
-            if (depth > deepest.depth && behind < way)
-              deepest = {depth,
-                         is_master,
-                         drawn.position(e, xi),
-                         is_master ? slave.closest_alone(x).facet : e,
-                         (boundary.position(f, closest.xi) - x) / behind};
-          }
-    }
-
-
-
-    /// The positions of the nodes of the boundary of a body under the
-    /// displacement @p u, put together from what each process owns. Collective.
-    template<int dim>
-    std::vector<Point<dim>> gather_positions(const Surface<dim>  &boundary,
-                                             const GhostedVector &u,
-                                             const Discretization<dim> &of)
-    {
-      std::vector<double> ways;
-      for (const SurfaceNode<dim> &node : boundary.nodes)
-        for (const auto dof : node.dofs)
-          ways.push_back(of.distribution->in_local_range(dof) ? u[dof] : 0.);
-      Utilities::MPI::sum(ways, of.communicator, ways);
-      std::vector<Point<dim>> positions;
-      for (unsigned int i = 0; i < boundary.nodes.size(); ++i)
         {
-          positions.push_back(boundary.nodes[i].X);
-          for (unsigned int c = 0; c < dim; ++c)
-            positions.back()[c] += ways[i * dim + c];
+          for (const FacetPoint<dim> &xi : places)
+            look_at(e, xi);
+          for (const FacetPoint<dim> &xi : crossings(own, e, boundary))
+            look_at(e, xi);
         }
-      return positions;
     }
 
 
@@ -231,35 +251,6 @@ namespace Contact
                          closest.normal};
           }
     }
-
-
-
-    /// Of those of all processes the deepest one.
-    template<int dim>
-    void compare(const MPI_Comm communicator, ContactDepth<dim> &deepest)
-    {
-      std::array<double, 3 + 2 * dim> own{
-        {deepest.depth,
-         static_cast<double>(deepest.of_master),
-         static_cast<double>(deepest.slave_facet)}};
-      for (unsigned int i = 0; i < dim; ++i)
-        {
-          own[3 + i]       = deepest.X[i];
-          own[3 + dim + i] = deepest.normal[i];
-        }
-      for (const auto &of : Utilities::MPI::all_gather(communicator, own))
-        if (of[0] > deepest.depth)
-          {
-            deepest.depth       = of[0];
-            deepest.of_master   = of[1] > 0;
-            deepest.slave_facet = static_cast<unsigned int>(of[2]);
-            for (unsigned int i = 0; i < dim; ++i)
-              {
-                deepest.X[i]      = of[3 + i];
-                deepest.normal[i] = of[3 + dim + i];
-              }
-          }
-    }
   } // namespace
 
 
@@ -278,21 +269,18 @@ namespace Contact
         const double way = as_drawn ? std::numeric_limits<double>::max()
                                     : largest_way(slave) + largest_way(master) +
                                         contact_pair.interference->at_start;
-        const auto   look_from =
-          [&](const auto &own, const auto &other, const auto &whole) {
-            const auto look_at = [&](const DeformedSurface<dim> &boundary) {
-              look(own, boundary, slave, communicator, way, as_drawn, deepest);
-            };
-            if (whole)
-              look_at({*whole,
-                       gather_positions(*whole, u, contact_pair.discretization),
-                       /*overhang=*/0.});
-            else
-              look_at(other);
-          };
-        look_from(slave, master, contact_pair.boundaries[1]);
-        look_from(master, slave, contact_pair.boundaries[0]);
-        compare(communicator, deepest);
+        for (const bool of_master : {false, true})
+          {
+            const BodyBoundary<dim> other(contact_pair, !of_master);
+            look(of_master ? master : slave,
+                 {other.surface, other.positions(u), /*overhang=*/0.},
+                 slave,
+                 communicator,
+                 way,
+                 as_drawn,
+                 deepest);
+          }
+        deepest = deepest_of_all(communicator, deepest);
       }
     else
       look_at_obstacle(contact_pair, u, as_drawn, deepest);

@@ -22,12 +22,19 @@ namespace Contact
     Point<dim>     X;               // the undeformed place [mm]
     unsigned int   slave_facet = 0; // that it is in, or belongs to
     Tensor<1, dim> normal;          // the shortest way out
+
+    template<class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &depth &of_master &X &slave_facet &normal;
+    }
   };
 
   /**
    * The deepest place of both surfaces of a contact pair under the displacement
-   * @p u: nodes and places between them, as far as they are behind the closest
-   * place of the whole boundary of the other body, less what the facets of
+   * @p u: nodes, places between them, and those where edges of both cross, as
+   * far as they are behind the closest place of the whole boundary of the other
+   * body, less what the facets of
    * both, by the angles between them, may be beside a curve. Of two surfaces of
    * one connected body, behind the other surface. On an obstacle the deepest of
    * some places of the slave, of its nodes only with the Gauss-point
