@@ -40,18 +40,6 @@ namespace Contact
       else
         return q / q.norm();
     }
-
-
-
-    // On a deformable master in 3-D the tangents of points of one node are
-    // left to the elimination: the shear of a point that other normals hold may
-    // be what presses the node against them, and without it the active set
-    // finds no end.
-    template<int dim>
-    bool gives_tangents_up(const ContactPair<dim> &contact_pair)
-    {
-      return dim == 2 || !contact_pair.master;
-    }
   } // namespace
 
 
@@ -70,11 +58,20 @@ namespace Contact
 
 
   template<int dim>
+  double
+  ActiveSet<dim>::pressure_of_digits(const ContactPoint<dim> &point) const
+  {
+    return point.augmentation_parameter * 1e-9 *
+           interface.contact_pair(point).edge_length(point);
+  }
+
+
+
+  template<int dim>
   void ActiveSet<dim>::release_held()
   {
     for (const auto &[q, others] : frames.others())
-      if (gives_tangents_up(interface.contact_pair(points[q])) &&
-          is_held_by_others(q, [this](const unsigned int point) {
+      if (is_held_by_others(q, [this](const unsigned int point) {
             return points[point].status;
           }))
         points[q].status = {Status::slip, {}};
@@ -88,13 +85,12 @@ namespace Contact
   {
     if (dim == 3)
       for (const auto &[q, others] : frames.others())
-        if (gives_tangents_up(interface.contact_pair(points[q])))
-          points[q].tangents_held_by_points =
-            frames.tangents_held_by_points(points,
-                                           q,
-                                           [this](const unsigned int point) {
-                                             return points[point].status;
-                                           });
+        points[q].tangents_held_by_points =
+          frames.tangents_held_by_points(points,
+                                         q,
+                                         [this](const unsigned int point) {
+                                           return points[point].status;
+                                         });
   }
 
 
@@ -280,12 +276,24 @@ namespace Contact
                                              const GhostedVector     &solution,
                                              const GhostedVector &u_start) const
   {
-    const ContactState<dim> now = interface.state(point, solution, u_start);
-    return updated_status(point,
-                          interface.bounds.follow ? point.status
-                                                  : PointStatus<dim>(),
-                          now.p_trial,
-                          now.q_trial);
+    const auto state_of = [&](const ContactPoint<dim> &of) {
+      return interface.state(of, solution, u_start);
+    };
+    const auto own_status = [&](const ContactPoint<dim> &of) {
+      const ContactState<dim> now = state_of(of);
+      return updated_status(of,
+                            interface.bounds.follow ? of.status
+                                                    : PointStatus<dim>(),
+                            now.p_trial,
+                            now.q_trial);
+    };
+    if (is_closed_by_noise(&point - points.data(),
+                           state_of(point).p_trial,
+                           [&](const unsigned int other) {
+                             return own_status(points[other]);
+                           }))
+      return {Status::open, {}};
+    return own_status(point);
   }
 
 
@@ -301,8 +309,7 @@ namespace Contact
     std::vector<PointStatus<dim>> updated =
       gathered(of_rank, interface.discretization.communicator);
     for (const auto &[q, others] : frames.others())
-      if (gives_tangents_up(interface.contact_pair(points[q])) &&
-          is_held_by_others(q, [&](const unsigned int point) {
+      if (is_held_by_others(q, [&](const unsigned int point) {
             return updated[point];
           }))
         updated[q] = {Status::slip, {}};

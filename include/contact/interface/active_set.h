@@ -123,6 +123,15 @@ namespace Contact
     bool is_held_by_others(const unsigned int point,
                            const StatusOf    &status_of) const;
 
+    /// Whether a point would be closed by noise alone: under the pressure @p
+    /// p_trial it penetrates by no more than a mesh file resolves, and another
+    /// point of its node sticks, if it is free to, by its own trial values:
+    /// @p own_status_of. It holds the node along all normals.
+    template<typename StatusOf>
+    bool is_closed_by_noise(const unsigned int point,
+                            const double       p_trial,
+                            const StatusOf    &own_status_of) const;
+
     /// The status of a point under trial values, after the one @p before. None
     /// follows from round-off: an open point closes under more than the
     /// pressure of that of its gap, a slipping one sticks where its shear is
@@ -167,6 +176,9 @@ namespace Contact
     /// The slip [mm] with friction that supports prescribe in this increment.
     Tensor<1, dim - 1> slip_of_supports(const ContactPoint<dim> &point) const;
 
+    /// The pressure of a penetration that a mesh file does not resolve [MPa].
+    double pressure_of_digits(const ContactPoint<dim> &point) const;
+
     /// Points that stick and are held by others slip in no direction.
     void release_held();
 
@@ -178,6 +190,18 @@ namespace Contact
     const PointFrames<dim>         &frames;
     GhostedVector                   support_motion; // of this increment
   };
+
+
+
+  template<int dim>
+  template<typename StatusOf>
+  bool ActiveSet<dim>::is_closed_by_noise(const unsigned int point,
+                                          const double       p_trial,
+                                          const StatusOf &own_status_of) const
+  {
+    return p_trial <= pressure_of_digits(points[point]) &&
+           frames.sticks_at_node(points, point, own_status_of);
+  }
 
 
 

@@ -168,6 +168,33 @@ namespace Contact
 
 
 
+  // Nodes that supports hold in all directions do not tell rows apart.
+  template<int dim>
+  bool PointFrames<dim>::have_one_row(const ContactPoint<dim> &a,
+                                      const ContactPoint<dim> &b) const
+  {
+    const double smallest_difference = 1e-2; // of that of the own node
+    const auto  &constraints =
+      (*pairs)[a.contact_pair]->discretization.constraints;
+    std::map<NodeDoFs<dim>, double> difference;
+    for (unsigned int k = 0; k < a.n_nodes; ++k)
+      difference[a.dofs(k)] += a.C[k];
+    for (unsigned int k = 0; k < b.n_nodes; ++k)
+      difference[b.dofs(k)] -= b.C[k];
+    return std::all_of(
+      difference.begin(),
+      difference.end(),
+      [&](const auto &of_node) {
+        const auto &dofs = of_node.first;
+        return std::abs(of_node.second) < smallest_difference ||
+               std::all_of(dofs.begin(), dofs.end(), [&](const auto dof) {
+                 return constraints.is_constrained(dof);
+               });
+      });
+  }
+
+
+
   template<int dim>
   bool PointFrames<dim>::see_one_surface(const ContactPoint<dim> &a,
                                          const ContactPoint<dim> &b) const

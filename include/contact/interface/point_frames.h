@@ -38,8 +38,13 @@ namespace Contact
    *    as the dual function of the node over all of its facets has, and one
    *    pressure; the others face nothing. In results each of them has the
    *    pressure of the first one and its own part of the weight.
-   * 4. Normals come before tangents: along the normals of the other points in
-   *    contact a point does not slip, and has no shear.
+   * 4. Points of a node hold each other where their rows are the same: on
+   *    meshes that match, on a master that supports hold, on an obstacle.
+   *    Normals come before tangents: along the normals of such others in
+   *    contact a point does not slip, and has no shear. One that sticks holds
+   *    the node in all directions: another one is not in contact unless it is
+   *    moved into the other body. Where rows differ, each point has its own
+   *    slip.
    * tangents_held_by_points() follows the active set.
    */
   template<int dim>
@@ -77,6 +82,12 @@ namespace Contact
       return others_at_node;
     }
 
+    /// Whether another point of the node of a point, with the same row, sticks.
+    template<typename StatusOf>
+    bool sticks_at_node(const std::vector<ContactPoint<dim>> &points,
+                        const unsigned int                    q,
+                        const StatusOf                       &status_of) const;
+
     /// The directions along the tangents of the point @p q in which others in
     /// contact hold its node. Orthonormal. @p status_of gives the status of a
     /// point by its number.
@@ -101,6 +112,8 @@ namespace Contact
                       const GhostedVector            &u) const;
     bool see_one_surface(const ContactPoint<dim> &a,
                          const ContactPoint<dim> &b) const;
+    bool have_one_row(const ContactPoint<dim> &a,
+                      const ContactPoint<dim> &b) const;
     bool are_on_one_body(const ContactPoint<dim> &a,
                          const ContactPoint<dim> &b) const;
     bool have_common_facets(const ContactPoint<dim> &a,
@@ -118,6 +131,25 @@ namespace Contact
 
   template<int dim>
   template<typename StatusOf>
+  bool
+  PointFrames<dim>::sticks_at_node(const std::vector<ContactPoint<dim>> &points,
+                                   const unsigned int                    q,
+                                   const StatusOf &status_of) const
+  {
+    const auto of_node = others_at_node.find(q);
+    return of_node != others_at_node.end() &&
+           std::any_of(of_node->second.begin(),
+                       of_node->second.end(),
+                       [&](const unsigned int other) {
+                         return status_of(other).kind == Status::stick &&
+                                have_one_row(points[q], points[other]);
+                       });
+  }
+
+
+
+  template<int dim>
+  template<typename StatusOf>
   std::vector<Tensor<1, dim>> PointFrames<dim>::tangents_held_by_points(
     const std::vector<ContactPoint<dim>> &points,
     const unsigned int                    q,
@@ -130,7 +162,7 @@ namespace Contact
     const ContactPoint<dim> &of = points[q];
     for (const unsigned int other : of_node->second)
       if (status_of(other).kind != Status::open &&
-          are_on_one_body(of, points[other]))
+          have_one_row(of, points[other]))
         add_orthonormal(of.along_tangents(
                           of.tangential_part(points[other].normal)),
                         held);

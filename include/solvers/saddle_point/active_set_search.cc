@@ -121,6 +121,20 @@ namespace Contact
 
 
 
+  PointStatus<2>
+  ActiveSetSearch::status_after(const unsigned int    q,
+                                const Vector<double> &update) const
+  {
+    const LinearizedContact::Point &point = problem.points[q];
+    return interface.active_set.updated_status(interface.points()[q],
+                                               point.status,
+                                               point.p_after(update),
+                                               Tensor<1, 1>(
+                                                 {point.q_after(update)}));
+  }
+
+
+
   bool ActiveSetSearch::update_statuses(const Vector<double> &update,
                                         const bool            one_by_one)
   {
@@ -129,13 +143,15 @@ namespace Contact
          q < problem.points.size() && !(changed && one_by_one);
          ++q)
       {
-        LinearizedContact::Point &point = problem.points[q];
-        PointStatus<2>            status =
-          interface.active_set.updated_status(interface.points()[q],
-                                              point.status,
-                                              point.p_after(update),
-                                              Tensor<1, 1>(
-                                                {point.q_after(update)}));
+        LinearizedContact::Point &point  = problem.points[q];
+        PointStatus<2>            status = status_after(q, update);
+        if (interface.active_set.is_closed_by_noise(
+              q,
+              point.p_after(update),
+              [&](const unsigned int other) {
+                return status_after(other, update);
+              }))
+          status = {Status::open, 0};
         if (interface.active_set
               .is_held_by_others(q, [&](const unsigned int other) {
                 return other == q ? status : problem.points[other].status;

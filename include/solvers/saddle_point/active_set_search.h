@@ -62,6 +62,10 @@ namespace Contact
     bool search_by_pivoting(const Vector<double> &update,
                             Vector<double>       &corrected);
 
+    /// The status of a point after an update, by its own trial values alone.
+    PointStatus<2> status_after(const unsigned int    q,
+                                const Vector<double> &update) const;
+
     /// Update the statuses under the @p update, all or only the first that
     /// changes. Returns whether there was one.
     bool update_statuses(const Vector<double> &update, const bool one_by_one);
