@@ -163,7 +163,7 @@ namespace Contact
                                     const double         load_factor) const
   {
     const GhostedVector forces =
-      elasticity.forces(solution, load_factor, cells_at_supports());
+      elasticity.forces(solution, load_factor, &cells_at_supports());
     double sum = 0;
     for (const auto dof : discretization.dof_handler.locally_owned_dofs())
       if (is_supported(dof))
