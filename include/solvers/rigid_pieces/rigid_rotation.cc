@@ -81,22 +81,18 @@ namespace Contact
     /// sticks or is glued somewhere.
     template<int dim>
     std::map<unsigned int, std::vector<Point<dim>>>
-    frictionless_corners(const Discretization<dim>   &discretization,
-                         const ContactInterface<dim> &interface)
+    frictionless_corners(const ContactInterface<dim> &interface)
     {
-      const auto of_node = pieces_of_nodes(discretization, interface);
       std::map<unsigned int, std::vector<Point<dim>>> corners;
       std::set<unsigned int>                          rough;
       const auto collect = [&](const Surface<dim> &surface, const bool smooth) {
         for (const SurfaceFacet<dim> &edge : surface.facets)
-          for (unsigned int a = 0; a < 2; ++a)
-            {
-              const SurfaceNode<dim> &node  = surface.nodes[edge.nodes[a]];
-              const unsigned int      piece = of_node.at(node.dofs[0]);
-              corners[piece].push_back(node.X);
-              if (!smooth)
-                rough.insert(piece);
-            }
+          {
+            for (unsigned int a = 0; a < 2; ++a)
+              corners[edge.piece].push_back(surface.nodes[edge.nodes[a]].X);
+            if (!smooth)
+              rough.insert(edge.piece);
+          }
       };
       for (const auto &contact_pair : interface.pairs)
         {
@@ -305,7 +301,7 @@ namespace Contact
     std::vector<SpinningPiece> turning;
     if constexpr (dim == 2)
       {
-        const auto corners = frictionless_corners(discretization, interface);
+        const auto corners = frictionless_corners(interface);
         for (const RigidBodyMode &motion :
              rigid_body_modes<dim>(discretization, nullptr))
           {
