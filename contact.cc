@@ -723,7 +723,7 @@ namespace Contact
                               change < parameters.solution.geometry_tolerance);
     };
     fixed_point("geometry loop ends with a change",
-                parameters.solution.max_geometry_iterations,
+                /*max_iterations=*/30,
                 iterate,
                 [&](Relaxation &relaxation) {
                   pairing.renew(state.solution, relaxation);
@@ -781,7 +781,7 @@ namespace Contact
         }
     };
     fixed_point("friction loop ends with a change of the bound",
-                parameters.solution.max_friction_iterations,
+                /*max_iterations=*/300,
                 iterate,
                 renew);
   }

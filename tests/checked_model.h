@@ -98,8 +98,9 @@ namespace Tests
     {
       std::string names;
       for (const Finding &finding : check().findings)
-        names += (names.empty() ? "" : ", ") +
-                 finding.text.substr(0, finding.text.find(':'));
+        if (finding.is_violated)
+          names += (names.empty() ? "" : ", ") +
+                   finding.text.substr(0, finding.text.find(':'));
       return names.empty() ? "none" : names;
     }
 

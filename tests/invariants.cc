@@ -31,7 +31,8 @@ namespace
         converged              = converged && model.solve(k / 8.);
         const Invariants found = model.check();
         for (const Finding &finding : found.findings)
-          alarms += "\n    " + std::to_string(k) + ": " + finding.text;
+          if (finding.is_violated)
+            alarms += "\n    " + std::to_string(k) + ": " + finding.text;
         const StatusCount count = model.interface.active_set.count();
         stick += count.stick;
         slip += count.active - count.stick;

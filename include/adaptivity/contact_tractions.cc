@@ -119,42 +119,38 @@ namespace Contact
 
 
 
-  template<>
-  void ContactTractions<2>::find_values(const ContactInterface<2> &interface,
-                                        const ContactPair<2>      &contact_pair)
+  template<int dim>
+  void
+  ContactTractions<dim>::find_values(const ContactInterface<dim> &interface,
+                                     const ContactPair<dim>      &contact_pair)
   {
-    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+    const bool has_shear = !contact_pair.law.is_frictionless();
+    if constexpr (dim == 2)
       {
-        const unsigned int k = multiplier_at(interface, contact_pair, i);
-        if (k == numbers::invalid_unsigned_int)
-          continue;
-        at_nodes[i][0] = solution[interface.normal_index(k)];
-        if (!contact_pair.law.is_frictionless())
-          at_nodes[i][1] = solution[interface.tangential_index(k)];
+        at_nodes = corner_tractions(interface, contact_pair, solution);
+        at_nodes.resize(slave.nodes.size());
+        for (unsigned int i = 0; i < at_nodes.size(); ++i)
+          if (const auto k = multiplier_at(interface, contact_pair, i);
+              k != numbers::invalid_unsigned_int)
+            {
+              at_nodes[i][0] += solution[interface.normal_index(k)];
+              if (has_shear)
+                at_nodes[i][1] += solution[interface.tangential_index(k)];
+            }
+        return;
       }
-    const auto of_corners = corner_tractions(interface, contact_pair, solution);
-    for (unsigned int i = 0; i < of_corners.size(); ++i)
-      at_nodes[i] += of_corners[i];
-  }
-
-
-
-  template<>
-  void ContactTractions<3>::find_values(const ContactInterface<3> &interface,
-                                        const ContactPair<3>      &contact_pair)
-  {
-    std::vector<Tensor<1, 3>> of_multiplier(interface.n_normal_multipliers());
+    std::vector<Tensor<1, dim>> of_multiplier(interface.n_normal_multipliers());
     const auto points = contact_pair.points_of_slave(interface.points());
     const auto acting = interface.acting_points(contact_pair);
     for (unsigned int q = 0; q < points.size(); ++q)
       {
-        const ContactPoint<3> &point = acting[q];
-        const unsigned int     k     = point.multipliers[0];
-        Tensor<1, 3> &of_point       = of_multiplier[points[q].multipliers[0]];
+        const ContactPoint<dim> &point = acting[q];
+        const unsigned int       k     = point.multipliers[0];
+        Tensor<1, dim> &of_point = of_multiplier[points[q].multipliers[0]];
         of_point = solution[interface.normal_index(k)] * point.normal;
-        Tensor<1, 2> shear;
-        if (!contact_pair.law.is_frictionless())
-          for (unsigned int t = 0; t < 2; ++t)
+        Tensor<1, dim - 1> shear;
+        if (has_shear)
+          for (unsigned int t = 0; t < dim - 1; ++t)
             shear[t] = solution[interface.tangential_index(k, t)];
         of_point += point.along_tangents(shear);
       }

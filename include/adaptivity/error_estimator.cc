@@ -28,32 +28,14 @@ namespace Contact
 
 
 
-    /// The stress that acts on facets.
-    SymmetricTensor<2, 2> on_facets(const SymmetricTensor<2, 3> &stress,
-                                    const Mesh<2> &)
-    {
-      return in_plane(stress);
-    }
-
-    const SymmetricTensor<2, 3> &on_facets(const SymmetricTensor<2, 3> &stress,
-                                           const Mesh<3> &)
-    {
-      return stress;
-    }
-
-
-
     /// The rule of triangles of degree 1 has one point.
-    hp::QCollection<2> quadratures_of_squares(const hp::QCollection<2> &rules)
+    template<int dim>
+    hp::QCollection<dim>
+    quadratures_of_squares(const hp::QCollection<dim> &rules)
     {
-      return hp::QCollection<2>(rules[0],
-                                rules[1].size() == 1 ? QGaussSimplex<2>(2)
-                                                     : rules[1]);
-    }
-
-    const hp::QCollection<3> &
-    quadratures_of_squares(const hp::QCollection<3> &rules)
-    {
+      if constexpr (dim == 2)
+        if (rules[1].size() == 1)
+          return hp::QCollection<2>(rules[0], QGaussSimplex<2>(2));
       return rules;
     }
 
@@ -222,9 +204,8 @@ namespace Contact
         const FacetPlace<dim> place(boundary, facet, in_facet(zeta), solution);
         SymmetricTensor<2, dim> stress;
         for (unsigned int v = 0; v < vertices.size(); ++v)
-          stress +=
-            GeometryInfo<dim - 1>::d_linear_shape_function(zeta, v) *
-            on_facets(vertex_stresses[vertices[v]], discretization.mesh);
+          stress += GeometryInfo<dim - 1>::d_linear_shape_function(zeta, v) *
+                    in_space<dim>(vertex_stresses[vertices[v]]);
 
         Tensor<1, dim> residual = stress_traction(stress, place, facet.body);
         bool           is_known = true;

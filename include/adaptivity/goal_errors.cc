@@ -292,9 +292,7 @@ namespace Contact
         bounds.emplace(model.interface->bounds, /*follow=*/true);
       }
     const Residuals   residuals = pair_anew();
-    SaddlePointSystem system(*model.discretization,
-                             *model.elasticity,
-                             model.interface.get(),
+    SaddlePointSystem system(model,
                              linearization,
                              linearization.moving_geometry,
                              /*keeps_factorization=*/false,

@@ -15,156 +15,75 @@ namespace Contact
   {
     using Parameters::All;
 
-    /// The contact pair of a section in another scene.
-    Parameters::Contact &pair_of(All &scene, const std::string &name)
-    {
-      return name.empty() ? scene.contact : scene.further_contacts.at(name);
-    }
-
-
-
     void add_kinematics(Variants &variants)
     {
       using Parameters::GeometryLoop;
       using Parameters::Strains;
       const All &scene    = variants.scene;
       const bool is_large = !scene.solids.kinematics.all_are(Strains::small);
-      const std::string geometry = "Solution/Geometry=";
-      const auto        frozen   = [](All &changed) {
-        changed.solution.geometry = GeometryLoop::undeformed;
-      };
-      const auto following = [](All &changed) {
-        changed.solution.geometry = GeometryLoop::automatic;
-      };
+      const std::string frozen    = "Solution/Geometry=undeformed";
+      const std::string following = "Solution/Geometry=automatic";
 
       if (is_large)
         variants.add("large displacement",
                      true,
-                     {"Solids/Kinematics=small strain",
-                      geometry + "undeformed"},
-                     [&](All &changed) {
-                       changed.solids.kinematics = Strains::small;
-                       frozen(changed);
-                     });
+                     {"Solids/Kinematics=small strain", frozen});
       else
         variants.add("large displacement",
                      false,
-                     {"Solids/Kinematics=large displacement",
-                      geometry + "automatic"},
-                     [&](All &changed) {
-                       changed.solids.kinematics = Strains::large;
-                       following(changed);
-                     });
+                     {"Solids/Kinematics=large displacement", following});
       if (is_large || scene.pairs().empty())
         return;
-      if (scene.solution.geometry == GeometryLoop::undeformed)
-        variants.add("contact of deformed surfaces",
-                     false,
-                     {geometry + "automatic"},
-                     following);
-      else
-        variants.add("contact of deformed surfaces",
-                     true,
-                     {geometry + "undeformed"},
-                     frozen);
-    }
-
-
-
-    void add_friction(const Parameters::Contact &of_pair, Variants &variants)
-    {
-      const std::string section = of_pair.section() + "/";
-      const std::string name    = of_pair.name;
-      if (of_pair.frictional())
-        variants.add(section + "friction",
-                     true,
-                     {section + "Friction coefficient=0",
-                      section + "Tresca limit=0"},
-                     [&](All &changed) {
-                       pair_of(changed, name).friction_coefficient = 0;
-                       pair_of(changed, name).tresca_limit         = 0;
-                     });
-      else
-        variants.add(section + "friction 0.1",
-                     false,
-                     {section + "Friction coefficient=0.1"},
-                     [&](All &changed) {
-                       pair_of(changed, name).friction_coefficient = 0.1;
-                     });
+      const bool follows = scene.solution.geometry != GeometryLoop::undeformed;
+      variants.add("contact of deformed surfaces",
+                   follows,
+                   {follows ? frozen : following});
     }
 
 
 
     void add_pair(const Parameters::Contact &of_pair, Variants &variants)
     {
-      const std::string section = of_pair.section() + "/";
-      const std::string name    = of_pair.name;
+      const std::string section     = of_pair.section() + "/";
+      const std::string no_friction = section + "Friction coefficient=0";
+      const std::string no_limit    = section + "Tresca limit=0";
       if (of_pair.tied)
-        variants.add(section + "glue",
-                     true,
-                     {section + "Tied=false"},
-                     [&](All &changed) {
-                       pair_of(changed, name).tied = false;
-                     });
+        variants.add(section + "glue", true, {section + "Tied=false"});
       else
         {
-          add_friction(of_pair, variants);
+          if (of_pair.frictional())
+            variants.add(section + "friction", true, {no_friction, no_limit});
+          else
+            variants.add(section + "friction 0.1",
+                         false,
+                         {section + "Friction coefficient=0.1"});
           variants.add(section + "glue",
                        false,
-                       {section + "Tied=true",
-                        section + "Friction coefficient=0",
-                        section + "Tresca limit=0"},
-                       [&](All &changed) {
-                         Parameters::Contact &glued = pair_of(changed, name);
-                         glued.tied                 = true;
-                         glued.friction_coefficient = 0;
-                         glued.tresca_limit         = 0;
-                       });
+                       {section + "Tied=true", no_friction, no_limit});
         }
       if (!of_pair.interference.empty())
         variants.add(section + "interference",
                      true,
-                     {section + "Interference="},
-                     [&](All &changed) {
-                       pair_of(changed, name).interference.clear();
-                     });
-      const std::vector<std::string> at_rest = {section + "Obstacle motion=",
-                                                section + "Obstacle centre=",
-                                                section + "Obstacle axis="};
-      const auto let_rest = [](Parameters::Contact &resting) {
-        resting.obstacle_motion.clear();
-        resting.obstacle_centre.clear();
-        resting.obstacle_axis.clear();
-      };
+                     {section + "Interference="});
       if (!of_pair.obstacle_motion.empty())
         variants.add(section + "obstacle motion",
                      true,
-                     at_rest,
-                     [&](All &changed) { let_rest(pair_of(changed, name)); });
-      variants.add(section + "the pair itself",
-                   true,
-                   {section + "Slave="},
-                   [&](All &changed) {
-                     if (name.empty())
-                       changed.contact = Parameters::Contact();
-                     else
-                       changed.further_contacts.erase(name);
-                   });
+                     {section + "Obstacle motion=",
+                      section + "Obstacle centre=",
+                      section + "Obstacle axis="});
+      variants.add(section + "the pair itself", true, {section + "Slave="});
     }
 
 
 
     using Parameters::Boundary;
 
-
-
     /// An entry of the boundary conditions without one of its groups; a history
     /// of nothing goes, too.
-    template<typename Groups, typename Access>
+    template<typename Groups>
     void add_without(const std::string &entry,
                      const std::string &group,
                      const Groups      &others,
-                     const Access      &values,
                      Variants          &variants)
     {
       const std::string        section   = "Boundary conditions/";
@@ -172,106 +91,76 @@ namespace Contact
       auto                     histories = variants.scene.boundary.histories;
       if (others.empty() && histories.erase(entry) > 0)
         entries.push_back(entry_of(section + "Histories", histories));
-      variants.add(entry + " of " + group, true, entries, [&](All &changed) {
-        values(changed.boundary)   = others;
-        changed.boundary.histories = histories;
-      });
+      variants.add(entry + " of " + group, true, entries);
     }
 
 
 
     /// Each group of an entry of loads.
-    template<typename Access>
+    template<typename Groups>
     void add_groups(const std::string &entry,
-                    const Access      &values,
+                    const Groups      &values,
                     Variants          &variants)
     {
-      for (const auto &[group, value] : values(variants.scene.boundary))
-        {
-          auto others = values(variants.scene.boundary);
-          others.erase(group);
-          add_without(entry, group, others, values, variants);
-        }
+      for (const auto &of_group : values)
+        add_without(entry,
+                    of_group.first,
+                    without(of_group.first, values),
+                    variants);
     }
 
 
 
     /// Each support that moves: it rests.
-    template<typename Access>
-    void add_displacements(const std::string &entry,
-                           const Access      &values,
-                           Variants          &variants)
+    void add_displacements(const std::string                   &entry,
+                           const std::map<std::string, double> &values,
+                           Variants                            &variants)
     {
-      for (const auto &[group, value] : values(variants.scene.boundary))
+      for (const auto &[group, value] : values)
         if (value != 0)
           {
-            auto others   = values(variants.scene.boundary);
+            auto others   = values;
             others[group] = 0;
-            add_without(entry, group, others, values, variants);
+            add_without(entry, group, others, variants);
           }
-    }
-
-
-
-    /// Each group of an entry of loads, in each direction.
-    template<typename Value>
-    void add_directions(const std::string           &entry,
-                        Boundary::ByDirection<Value> Boundary::*const values,
-                        Variants                                     &variants)
-    {
-      for (const unsigned int c : {0, 1})
-        add_groups(
-          entry + ' ' + "xy"[c],
-          [&](auto &boundary) -> auto & { return (boundary.*values)[c]; },
-          variants);
     }
 
 
 
     void add_loads(Variants &variants)
     {
+      const Boundary &boundary       = variants.scene.boundary;
+      const auto      for_directions = [&](const std::string &entry,
+                                      const auto        &values) {
+        for (const unsigned int c : {0, 1})
+          add_groups(entry + ' ' + "xy"[c], values[c], variants);
+      };
       for (const unsigned int c : {0, 1})
-        add_displacements(
-          std::string("Displacement ") + "xy"[c],
-          [c](auto &boundary) -> auto & { return boundary.displacement[c]; },
-          variants);
-      add_displacements(
-        "Displacement normal",
-        [](auto &boundary) -> auto & { return boundary.displacement_normal; },
-        variants);
-      add_displacements(
-        "Rotation z",
-        [](auto &boundary) -> auto & { return boundary.rotation[2]; },
-        variants);
-      add_groups(
-        "Moment z",
-        [](auto &boundary) -> auto & { return boundary.moment[2]; },
-        variants);
-      add_directions("Force", &Boundary::force, variants);
-      add_directions("Resultant force", &Boundary::resultant_force, variants);
-      add_groups(
-        "Pressure",
-        [](auto &boundary) -> auto & { return boundary.pressure; },
-        variants);
-      add_directions("Traction", &Boundary::traction, variants);
-      add_directions("Body force", &Boundary::body_force, variants);
+        add_displacements(std::string("Displacement ") + "xy"[c],
+                          boundary.displacement[c],
+                          variants);
+      add_displacements("Displacement normal",
+                        boundary.displacement_normal,
+                        variants);
+      add_displacements("Rotation z", boundary.rotation[2], variants);
+      add_groups("Moment z", boundary.moment[2], variants);
+      for_directions("Force", boundary.force);
+      for_directions("Resultant force", boundary.resultant_force);
+      add_groups("Pressure", boundary.pressure, variants);
+      for_directions("Traction", boundary.traction);
+      for_directions("Body force", boundary.body_force);
     }
 
 
 
     void add_thermal_strains(Variants &variants)
     {
-      for (const auto &strain : variants.scene.solids.thermal_strain)
-        {
-          const auto others =
-            without(strain.first, variants.scene.solids.thermal_strain);
-          variants.add("thermal strain of " + strain.first,
-                       true,
-                       {entry_of("Solids/Thermal strain", others)},
-                       [&](All &changed) {
-                         changed.solids.thermal_strain = others;
-                       });
-        }
+      const auto &strains = variants.scene.solids.thermal_strain;
+      for (const auto &strain : strains)
+        variants.add("thermal strain of " + strain.first,
+                     true,
+                     {entry_of("Solids/Thermal strain",
+                               without(strain.first, strains))});
     }
 
 
@@ -282,23 +171,21 @@ namespace Contact
                      const std::string &body,
                      Variants          &variants)
     {
-      const Parameters::Solids &here   = variants.scene.solids;
-      Parameters::Solids        solids = here;
+      const Parameters::Solids &solids = variants.scene.solids;
       std::vector<std::string>  entries;
-      const auto remove = [&](auto &values, const std::string &entry) {
-        if (values.erase(body) > 0)
-          entries.push_back(entry_of("Solids/" + entry, values));
+
+      const auto remove = [&](const std::string &entry, const auto &values) {
+        if (values.count(body) > 0)
+          entries.push_back(entry_of("Solids/" + entry, without(body, values)));
       };
-      remove(solids.material, "Material");
-      remove(solids.hardening_modulus, "Hardening modulus");
-      remove(solids.kinematic_hardening_modulus, "Kinematic hardening modulus");
-      remove(solids.saturation_stress, "Saturation stress");
-      remove(solids.saturation_rate, "Saturation rate");
-      remove(solids.hardening_curve, "Hardening curve");
-      remove(solids.mooney_rivlin_constant, "Mooney-Rivlin constant");
-      variants.add(effect + " of " + body, true, entries, [&](All &changed) {
-        changed.solids = solids;
-      });
+      remove("Material", solids.material);
+      remove("Hardening modulus", solids.hardening_modulus);
+      remove("Kinematic hardening modulus", solids.kinematic_hardening_modulus);
+      remove("Saturation stress", solids.saturation_stress);
+      remove("Saturation rate", solids.saturation_rate);
+      remove("Hardening curve", solids.hardening_curve);
+      remove("Mooney-Rivlin constant", solids.mooney_rivlin_constant);
+      variants.add(effect + " of " + body, true, entries);
     }
 
 
@@ -315,6 +202,7 @@ namespace Contact
           add_elastic("plasticity", body, variants);
         else if (model != MaterialModel::elastic)
           add_elastic(model.name() + " material", body, variants);
+
       for (const auto &of_body : here.yield_stress)
         {
           const std::string body = of_body.first;
@@ -324,20 +212,16 @@ namespace Contact
           material.insert_or_assign(body, MaterialModel::elastic_plastic);
           variants.add_or_tell("plasticity of " + body,
                                false,
-                               {entry_of("Solids/Material", material)},
-                               [&](All &changed) {
-                                 changed.solids.material = material;
-                               });
+                               {entry_of("Solids/Material", material)});
         }
       for (const std::string &body : here.incompatible_modes)
         {
           auto others = here.incompatible_modes;
           others.erase(std::find(others.begin(), others.end(), body));
-          variants.add(
-            "incompatible modes of " + body,
-            true,
-            {"Solids/Incompatible modes=" + Patterns::Tools::to_string(others)},
-            [&](All &changed) { changed.solids.incompatible_modes = others; });
+          variants.add("incompatible modes of " + body,
+                       true,
+                       {"Solids/Incompatible modes=" +
+                        Patterns::Tools::to_string(others)});
         }
     }
 
@@ -345,17 +229,14 @@ namespace Contact
 
     void add_materials(Variants &variants)
     {
-      for (const auto &[body, modulus] : variants.scene.solids.youngs_modulus)
+      const auto &moduli = variants.scene.solids.youngs_modulus;
+      for (const auto &of_body : moduli)
         {
-          std::map<std::string, double> stiffer =
-            variants.scene.solids.youngs_modulus;
-          stiffer[body] *= 1.01;
-          variants.add("Young's modulus of " + body + " + 1 %",
+          auto stiffer = moduli;
+          stiffer[of_body.first] *= 1.01;
+          variants.add("Young's modulus of " + of_body.first + " + 1 %",
                        false,
-                       {entry_of("Solids/Young's modulus", stiffer)},
-                       [&](All &changed) {
-                         changed.solids.youngs_modulus = stiffer;
-                       });
+                       {entry_of("Solids/Young's modulus", stiffer)});
         }
     }
   } // namespace

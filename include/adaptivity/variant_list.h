@@ -6,12 +6,14 @@
 #ifndef contact_variant_list_h
 #define contact_variant_list_h
 
-#include <functional>
+#include <array>
+#include <charconv>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "adaptivity/scene_variants.h"
+#include "base/string_utilities.h"
 
 namespace Contact
 {
@@ -24,16 +26,12 @@ namespace Contact
     {
     }
 
-    using Change = std::function<void(Parameters::All &changed)>;
-
-    /// The scene with a change; nothing if its entries then contradict each
-    /// other.
+    /// The scene with other entries; nothing if these contradict each other.
     void add(const std::string              &effect,
              const bool                      is_on,
-             const std::vector<std::string> &entries,
-             const Change                   &change)
+             const std::vector<std::string> &entries)
     {
-      const SceneVariant variant = make(effect, is_on, entries, change);
+      const SceneVariant variant = make(effect, is_on, entries);
       if (variant.unknown.empty())
         all.push_back(variant);
     }
@@ -41,26 +39,38 @@ namespace Contact
     /// The same, with the contradiction.
     void add_or_tell(const std::string              &effect,
                      const bool                      is_on,
-                     const std::vector<std::string> &entries,
-                     const Change                   &change)
+                     const std::vector<std::string> &entries)
     {
-      all.push_back(make(effect, is_on, entries, change));
+      all.push_back(make(effect, is_on, entries));
     }
 
     const Parameters::All    &scene;
     std::vector<SceneVariant> all;
 
   private:
+    // A handler of the entries sets what they are declared with.
     SceneVariant make(const std::string              &effect,
                       const bool                      is_on,
-                      const std::vector<std::string> &entries,
-                      const Change                   &change) const
+                      const std::vector<std::string> &entries) const
     {
-      SceneVariant variant{effect, is_on, entries, scene};
-      change(variant.parameters);
+      SceneVariant     variant{effect, is_on, entries, scene};
+      Parameters::All &changed = variant.parameters;
+      ParameterHandler prm;
+      changed.add_parameters(prm);
+      for (const auto &further : scene.further_contacts)
+        changed.add_pair(further.first, prm);
+      for (const std::string &assignment : entries)
+        {
+          const auto [path, value] = split_at(assignment, assignment.find('='));
+          const auto [section, entry] = split_at(path, path.find('/'));
+          prm.enter_subsection(section);
+          prm.set(entry, value);
+          prm.leave_subsection();
+          changed.leave_out_pair(assignment);
+        }
       try
         {
-          variant.parameters.check();
+          changed.check();
         }
       catch (const EntryError &error)
         {
@@ -72,7 +82,23 @@ namespace Contact
 
 
 
-  /// A map as its entry has it.
+  /// A map as its entry has it: numbers with all of their digits.
+  inline std::string entry_of(const std::string                   &name,
+                              const std::map<std::string, double> &values)
+  {
+    std::map<std::string, std::string> texts;
+    for (const auto &[key, value] : values)
+      {
+        std::array<char, 32> text;
+        texts[key].assign(
+          text.data(),
+          std::to_chars(text.data(), text.data() + text.size(), value).ptr);
+      }
+    return name + "=" + Patterns::Tools::to_string(texts);
+  }
+
+
+
   template<typename Value>
   std::string entry_of(const std::string                  &name,
                        const std::map<std::string, Value> &values)

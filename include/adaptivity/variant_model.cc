@@ -80,9 +80,7 @@ namespace Contact
     model.elasticity->set_thermal_strain(state.start_factor, state.load_factor);
 
     linearization = {model.geometry_follows(parameters.solution)};
-    system        = std::make_unique<SaddlePointSystem>(*model.discretization,
-                                                 *model.elasticity,
-                                                 model.interface.get(),
+    system        = std::make_unique<SaddlePointSystem>(model,
                                                  linearization,
                                                  linearization.moving_geometry,
                                                  /*keeps_factorization=*/false,

@@ -24,52 +24,21 @@ namespace Contact
 {
   namespace
   {
-    // Further runs of a case, by which errors are estimated, leave no files but
-    // their summaries.
-    Parameters::All further_case(const Parameters::All &first,
-                                 const std::string     &suffix)
-    {
-      Parameters::All further = first;
-      further.name += suffix;
-      further.output.vtu = further.output.profile = false;
-      return further;
-    }
-
-
-
+    // The run by which errors are estimated leaves no files but its summary.
     Parameters::All refined_case(const Parameters::All &coarse)
     {
-      Parameters::All finer = further_case(coarse, "_refined");
+      Parameters::All finer = coarse;
+      finer.name += "_refined";
       finer.mesh.refinements += 1;
+      finer.output.vtu = finer.output.profile = false;
       return finer;
     }
 
 
 
-    Parameters::All halved_case(const Parameters::All &coarse)
+    bool asks_for_refined(const Parameters::All &parameters)
     {
-      Parameters::All finer = further_case(coarse, "_halved");
-      finer.solution.n_increments *= 2;
-      return finer;
-    }
-
-
-
-    /// The further cases that a case asks for: each, and how its values tell
-    /// errors of the first one.
-    using Estimate =
-      std::function<void(RunSummary &, const std::vector<ProbeResult> &)>;
-    std::vector<std::pair<Parameters::All, Estimate>>
-    further_cases(const Parameters::All &first)
-    {
-      std::vector<std::pair<Parameters::All, Estimate>> cases;
-      if (first.probes.estimate_errors && !first.has_levels())
-        cases.emplace_back(refined_case(first), [](auto &summary, auto &finer) {
-          estimate_errors(summary, finer);
-        });
-      if (first.probes.halve_increments)
-        cases.emplace_back(halved_case(first), estimate_increment_errors);
-      return cases;
+      return parameters.probes.estimate_errors && !parameters.has_levels();
     }
 
 
@@ -109,7 +78,7 @@ namespace Contact
 
 
 
-    // The parameters in the directories of further cases would be those of the
+    // The parameters in the directory of the refined case would be those of the
     // first.
     RunSummary run_case(const Parameters::All  &parameters,
                         const ParameterHandler &prm,
@@ -117,32 +86,30 @@ namespace Contact
                         const SolveCase        &solve)
     {
       RunSummary summary = solve_robustly(parameters, prm, verbose, solve);
-      for (const auto &[further, estimate] : further_cases(parameters))
+      if (!asks_for_refined(parameters) || !summary.converged)
+        return summary;
+      const Parameters::All refined = refined_case(parameters);
+      const RunSummary other = solve_robustly(refined, prm, verbose, solve);
+      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
         {
-          if (!summary.converged || summary.interrupted)
-            break;
-          const RunSummary other = solve_robustly(further, prm, verbose, solve);
-          if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-            {
-              std::error_code error;
-              std::filesystem::remove(further.directory() / "parameters.prm",
-                                      error);
-            }
-          summary.interrupted = other.interrupted;
-          if (other.converged)
-            estimate(summary, other.probes);
-          else if (!other.interrupted)
-            tell({"no error estimate, because the case '" + further.name +
-                    "' does not converge: " + other.message,
-                  /*is_violated=*/false,
-                  parameters.name},
-                 summary.findings);
-          write_on_first_rank(MPI_COMM_WORLD,
-                              parameters.directory() / "summary.json",
-                              [&](std::ostream &out) {
-                                write_summary(summary, out);
-                              });
+          std::error_code error;
+          std::filesystem::remove(refined.directory() / "parameters.prm",
+                                  error);
         }
+      summary.interrupted = other.interrupted;
+      if (other.converged)
+        estimate_errors(summary, other.probes);
+      else if (!other.interrupted)
+        tell({"no error estimate, because the case '" + refined.name +
+                "' does not converge: " + other.message,
+              /*is_violated=*/false,
+              parameters.name},
+             summary.findings);
+      write_on_first_rank(MPI_COMM_WORLD,
+                          parameters.directory() / "summary.json",
+                          [&](std::ostream &out) {
+                            write_summary(summary, out);
+                          });
       return summary;
     }
 
@@ -235,9 +202,10 @@ namespace Contact
       for (const Parameters::All &a_case : cases)
         {
           bool is_new = directories.insert(a_case.directory()).second;
-          for (const auto &further : further_cases(a_case))
+          if (asks_for_refined(a_case))
             is_new =
-              is_new && directories.insert(further.first.directory()).second;
+              directories.insert(refined_case(a_case).directory()).second &&
+              is_new;
           if (!is_new)
             throw InputError(
               "two cases have the name '" + a_case.name +

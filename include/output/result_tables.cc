@@ -25,7 +25,6 @@ namespace Contact
                       "probe",
                       "computed",
                       "error est.",
-                      "of increments",
                       "reference",
                       "deviation",
                       "tolerance",
@@ -70,18 +69,16 @@ namespace Contact
                 probe.error ? format("%.1e", *probe.error) +
                                 (probe.error_is_confirmed ? "" : "?")
                             : "-",
-                probe.increment_error ? format("%+.1e", *probe.increment_error)
-                                      : "-",
                 "-",
                 "-",
                 "-",
                 "-"};
       if (probe.reference && probe.tolerance)
         {
-          line[6] = format_value(probe, *probe.reference);
-          line[7] = format_deviation(*probe.relative_deviation());
-          line[8] = format("%g %%", 100 * *probe.tolerance);
-          line[9] = probe.within() ? "yes" : "NO";
+          line[5] = format_value(probe, *probe.reference);
+          line[6] = format_deviation(*probe.relative_deviation());
+          line[7] = format("%g %%", 100 * *probe.tolerance);
+          line[8] = probe.within() ? "yes" : "NO";
         }
       return line;
     }
@@ -201,15 +198,15 @@ namespace Contact
         lines.push_back(line);
 
     // Nothing was estimated: no column for it.
-    for (const unsigned int column : {4u, 5u})
-      if (std::all_of(lines.begin() + 1, lines.end(), [&](const Line &line) {
-            return line[column] == "-";
-          }))
-        for (Line &line : lines)
-          line[column].clear();
+    const unsigned int column = 4;
+    if (std::all_of(lines.begin() + 1, lines.end(), [&](const Line &line) {
+          return line[column] == "-";
+        }))
+      for (Line &line : lines)
+        line[column].clear();
 
     // Names to the left, numbers to the right.
-    print_lines(out, lines, {3, 4, 5, 6, 7, 8});
+    print_lines(out, lines, {3, 4, 5, 6, 7});
 
     for (const RunSummary &summary : summaries)
       if (!summary.converged)

@@ -101,7 +101,6 @@ namespace Contact
               {"reference", to_json(probe.reference)},
               {"relative_deviation", to_json(probe.relative_deviation())},
               {"tolerance", to_json(probe.tolerance)},
-              {"increment_error", to_json(probe.increment_error)},
               {"accepted_error", to_json(probe.accepted_error)},
               {"loop_error", to_json(probe.loop_error)}};
     }
@@ -318,16 +317,6 @@ namespace Contact
           2 * std::abs(summary.probes[i].value - finer[i].value);
         summary.probes[i].estimator = "difference from the mesh refined once";
       }
-  }
-
-
-
-  void estimate_increment_errors(RunSummary                     &summary,
-                                 const std::vector<ProbeResult> &halved)
-  {
-    for (unsigned int i = 0; i < summary.probes.size(); ++i)
-      summary.probes[i].increment_error =
-        2 * (halved[i].value - summary.probes[i].value);
   }
 
 

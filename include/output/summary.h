@@ -44,9 +44,6 @@ namespace Contact
     /// see agrees_with_last().
     bool error_is_confirmed = true;
 
-    /// The estimated error of the load increments, with its sign.
-    std::optional<double> increment_error = {};
-
     /// Where effects are estimated, in the unit of the value: the error that
     /// is accepted, 1 % unless an accuracy is asked for, and what the loops
     /// and the linear solver leave.
@@ -224,11 +221,6 @@ namespace Contact
    */
   void estimate_errors(RunSummary                     &summary,
                        const std::vector<ProbeResult> &finer);
-
-  /// Estimate the errors of the load increments from the values @p halved with
-  /// twice as many, as twice the difference: errors halve with the increments.
-  void estimate_increment_errors(RunSummary                     &summary,
-                                 const std::vector<ProbeResult> &halved);
 
   /// The largest resident memory of this process so far [MB = 2^20 bytes].
   double peak_memory_mb();

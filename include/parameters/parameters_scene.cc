@@ -118,7 +118,7 @@ namespace Contact
                         "as in Young's modulus, -1 < nu < 0.5.");
       prm.add_parameter("Symmetry",
                         symmetry,
-                        "What the mesh is a section of [-]; plane strain: a "
+                        "2-D idealization [-]; plane strain: the mesh is a "
                         "slice of 1 mm; axisymmetric: rings about the axis x "
                         "= 0, x >= 0 being the radius, without torsion. Forces "
                         "are then those of whole rings [N], stress zz is that "
@@ -441,16 +441,17 @@ namespace Contact
                                       0,
                                       Patterns::Map::max_int_value,
                                       ";"));
-      prm.add_parameter("Obstacle moment",
-                        obstacle_moment,
-                        "The same of its turn: the moment on the slave about "
-                        "the Obstacle centre, in 3-D about the Obstacle axis "
-                        "[N mm per mm of thickness, in 3-D N mm]; a formula "
-                        "in t or a table. Empty: the turn is given.");
+      prm.add_parameter(
+        "Obstacle moment",
+        obstacle_moment,
+        "The same of its rotation: the moment on the slave about "
+        "the Obstacle centre, in 3-D about the Obstacle axis "
+        "[N mm per mm of thickness, in 3-D N mm]; a formula "
+        "in t or a table. Empty: the rotation is given.");
       prm.add_parameter("Interference",
                         interference,
-                        "By how much the surfaces overlap in truth more than "
-                        "in the mesh [mm], as those of a press fit that is "
+                        "Overlap of the surfaces that the mesh does not show "
+                        "[mm], as that of a press fit that is "
                         "drawn with one radius; a formula in t or a table, as "
                         "those of 'Boundary conditions/Histories'. Negative: "
                         "clearance.");

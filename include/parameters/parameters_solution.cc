@@ -42,7 +42,6 @@ namespace Contact
 
     void Solution::add_loops(ParameterHandler &prm)
     {
-      const Patterns::Integer at_least_one(1);
       prm.add_parameter("Geometry",
                         geometry,
                         "How projections and normals follow the displacements "
@@ -60,10 +59,6 @@ namespace Contact
         "Largest change of a displacement behind the last pairing, relative to "
         "the largest displacement of the increment [-]; > 0. The first iteration of "
         "a geometry loop is never accepted.");
-      prm.add_parameter("Max geometry iterations",
-                        max_geometry_iterations,
-                        "Iterations of the geometry loop before giving up [-].",
-                        at_least_one);
       prm.add_parameter("Friction",
                         friction,
                         "How the bound of friction follows the pressure [-]; "
@@ -74,10 +69,6 @@ namespace Contact
         friction_tolerance,
         "Largest change of a bound of the shear traction in one iteration of the "
         "friction loop, relative to the largest bound [-]; > 0.");
-      prm.add_parameter("Max friction iterations",
-                        max_friction_iterations,
-                        "Iterations of the friction loop before giving up [-].",
-                        at_least_one);
       prm.add_parameter("Newton tolerance",
                         newton_tolerance,
                         "Residual of equilibrium and of the contact "
@@ -219,11 +210,6 @@ namespace Contact
                         "With several levels that costs nothing and is always "
                         "done; without, the case is solved once more on the "
                         "mesh refined once.");
-      prm.add_parameter("Halve increments",
-                        halve_increments,
-                        "Estimate the error that the load increments leave in "
-                        "the probes, with friction [-]: the case is solved "
-                        "once more with twice as many.");
       prm.add_parameter(
         "Accuracy",
         accuracy,

@@ -29,13 +29,11 @@ namespace Contact
       unsigned int max_cuts     = 6; // of an increment to half
 
       /// See All::geometry().
-      Choice<GeometryLoop> geometry                = GeometryLoop::automatic;
-      double               geometry_tolerance      = 1e-3;
-      unsigned int         max_geometry_iterations = 30;
+      Choice<GeometryLoop> geometry           = GeometryLoop::automatic;
+      double               geometry_tolerance = 1e-3;
 
-      Choice<FrictionLoop> friction                = FrictionLoop::newton;
-      double               friction_tolerance      = 1e-10;
-      unsigned int         max_friction_iterations = 300;
+      Choice<FrictionLoop> friction           = FrictionLoop::newton;
+      double               friction_tolerance = 1e-10;
 
       double       newton_tolerance      = 1e-8;
       unsigned int max_newton_iterations = 0;
@@ -121,9 +119,6 @@ namespace Contact
 
       /// Estimate the discretization error of the probes on a refined mesh.
       bool estimate_errors = false;
-
-      /// Estimate the error of the load increments by a run with twice as many.
-      bool halve_increments = false;
 
       /// Estimate it by dual weighted residuals, see GoalErrors.
       bool dual_weighted_residuals = false;

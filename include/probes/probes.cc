@@ -76,9 +76,9 @@ namespace Contact
                      const ContactModel<dim> &model,
                      const GhostedVector     &u)
   {
-    return model.elasticity->strain_energy(model.mesh->body(body,
-                                                            "Probes/Probes"),
-                                           u);
+    return model.elasticity->strain_energy(u,
+                                           model.mesh->body(body,
+                                                            "Probes/Probes"));
   }
 
 

@@ -275,6 +275,15 @@ namespace Contact
   private:
     SupportMotion<dim> motion_of_supports(const double load_factor) const;
 
+    /// Visit the unknowns of this rank that supports hold, with their ways from
+    /// @p u to where these want them, exactly zero within round-off [mm].
+    void
+    for_supported(const GhostedVector                         &u,
+                  const SupportMotion<dim>                    &motion,
+                  const std::function<void(const types::global_dof_index dof,
+                                           const double way)> &visit) const;
+
+
     void check_radii();
     void hold_axis();
     void collect_vertex_dofs();

@@ -6,7 +6,6 @@
 #include "solid/elasticity.h"
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/std_cxx20/iota_view.h>
 
 #include <algorithm>
 #include <array>
@@ -245,23 +244,23 @@ namespace Contact
 
 
   template<int dim>
-  template<class Numbers>
   VolumeRatio<dim>
-  Elasticity<dim>::visit(const GhostedVector  &u,
-                         const bool            with_tangent,
-                         const StressStiffness stress_stiffness,
-                         const Numbers        &numbers,
-                         const CellVisitor    &visitor) const
+  Elasticity<dim>::visit_cells(const GhostedVector             &u,
+                               const bool                       with_tangent,
+                               const CellVisitor               &visitor,
+                               const std::vector<unsigned int> *chosen,
+                               const StressStiffness stress_stiffness) const
   {
     FullMatrix<double>  tangent;
     FullMatrix<double> *wanted = with_tangent ? &tangent : nullptr;
     Vector<double>      forces, of_cell;
     VolumeRatio<dim>    smallest;
-    for (const unsigned int number : numbers)
+    const unsigned int  n_visits = chosen ? chosen->size() : n_cells();
+    for (unsigned int k = 0; k < n_visits; ++k)
       {
         ++discretization.counters.cell_forces;
         discretization.counters.cell_tangents += with_tangent;
-        const CellTable<dim> &cell = tables.own[number];
+        const CellTable<dim> &cell = tables.own[chosen ? (*chosen)[k] : k];
         const unsigned int    n    = cell.dofs.size();
         forces.reinit(n);
         if (with_tangent)
@@ -275,46 +274,6 @@ namespace Contact
         visitor(cell.dofs, tangent, forces);
       }
     return smallest;
-  }
-
-
-
-  template<int dim>
-  VolumeRatio<dim>
-  Elasticity<dim>::visit_cells(const GhostedVector &u,
-                               const bool           with_tangent,
-                               const CellVisitor   &visitor) const
-  {
-    return visit(
-      u,
-      with_tangent,
-      StressStiffness::with,
-      std_cxx20::ranges::iota_view<unsigned int, unsigned int>(0, n_cells()),
-      visitor);
-  }
-
-
-
-  template<int dim>
-  VolumeRatio<dim>
-  Elasticity<dim>::visit_cells(const GhostedVector             &u,
-                               const bool                       with_tangent,
-                               const std::vector<unsigned int> &chosen,
-                               const CellVisitor               &visitor) const
-  {
-    return visit(u, with_tangent, StressStiffness::with, chosen, visitor);
-  }
-
-
-
-  template<int dim>
-  VolumeRatio<dim>
-  Elasticity<dim>::visit_cells(const GhostedVector             &u,
-                               const StressStiffness            stiffness,
-                               const std::vector<unsigned int> &chosen,
-                               const CellVisitor               &visitor) const
-  {
-    return visit(u, /*with_tangent=*/true, stiffness, chosen, visitor);
   }
 
 
@@ -369,11 +328,9 @@ namespace Contact
 
     Vector<double>  of_cell;
     Vector<double> &whole = rhs; // of one rank
-    return visit(
+    return visit_cells(
       u,
       /*with_tangent=*/true,
-      stress_stiffness,
-      std_cxx20::ranges::iota_view<unsigned int, unsigned int>(0, n_cells()),
       [&](const std::vector<types::global_dof_index> &dofs,
           const FullMatrix<double>                   &tangent,
           const Vector<double>                       &forces) {
@@ -384,34 +341,27 @@ namespace Contact
                                                               dofs,
                                                               *matrix,
                                                               whole);
-      });
+      },
+      nullptr,
+      stress_stiffness);
   }
 
 
 
   template<int dim>
-  GhostedVector Elasticity<dim>::internal_forces(const GhostedVector &u) const
+  GhostedVector Elasticity<dim>::internal_forces(
+    const GhostedVector             &u,
+    const std::vector<unsigned int> *chosen) const
   {
     GhostedVector forces(discretization.distribution);
-    visit_cells(u,
-                false,
-                [&](const std::vector<types::global_dof_index> &dofs,
-                    const FullMatrix<double> &,
-                    const Vector<double> &cell_forces) {
-                  forces.add(dofs, cell_forces);
-                });
+    visit_cells(
+      u,
+      /*with_tangent=*/false,
+      [&](const std::vector<types::global_dof_index> &dofs,
+          const FullMatrix<double> &,
+          const Vector<double> &of_cell) { forces.add(dofs, of_cell); },
+      chosen);
     forces.compress_add();
-    return forces;
-  }
-
-
-
-  template<int dim>
-  GhostedVector Elasticity<dim>::forces(const GhostedVector &u,
-                                        const double         load_factor) const
-  {
-    GhostedVector forces = internal_forces(u);
-    forces -= loads(u, load_factor);
     return forces;
   }
 
@@ -421,18 +371,9 @@ namespace Contact
   GhostedVector
   Elasticity<dim>::forces(const GhostedVector             &u,
                           const double                     load_factor,
-                          const std::vector<unsigned int> &chosen) const
+                          const std::vector<unsigned int> *chosen) const
   {
-    GhostedVector forces(discretization.distribution);
-    visit_cells(u,
-                /*with_tangent=*/false,
-                chosen,
-                [&](const std::vector<types::global_dof_index> &dofs,
-                    const FullMatrix<double> &,
-                    const Vector<double> &of_cell) {
-                  forces.add(dofs, of_cell);
-                });
-    forces.compress_add();
+    GhostedVector forces = internal_forces(u, chosen);
     forces -= loads(u, load_factor);
     return forces;
   }
@@ -495,23 +436,13 @@ namespace Contact
 
 
   template<int dim>
-  double Elasticity<dim>::strain_energy(const GhostedVector &u) const
+  double Elasticity<dim>::strain_energy(
+    const GhostedVector                    &u,
+    const std::optional<types::material_id> body) const
   {
     double energy = 0;
     for (const CellTable<dim> &cell : tables.own)
-      energy += cell.kernel->energy(cell, u.extract(cell.dofs));
-    return Utilities::MPI::sum(energy, discretization.communicator);
-  }
-
-
-
-  template<int dim>
-  double Elasticity<dim>::strain_energy(const types::material_id body,
-                                        const GhostedVector     &u) const
-  {
-    double energy = 0;
-    for (const CellTable<dim> &cell : tables.own)
-      if (cell.body == body)
+      if (!body || cell.body == *body)
         energy += cell.kernel->energy(cell, u.extract(cell.dofs));
     return Utilities::MPI::sum(energy, discretization.communicator);
   }

@@ -15,6 +15,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -108,19 +109,13 @@ namespace Contact
                          const Vector<double>                       &forces)>;
 
     /// Visit all cells of this rank, or only those with the numbers @p chosen.
-    /// Returns the smallest volume ratio among them; in small strain, 1. With a
-    /// stress stiffness tangents are asked for.
-    VolumeRatio<dim> visit_cells(const GhostedVector &u,
-                                 const bool           with_tangent,
-                                 const CellVisitor   &visitor) const;
-    VolumeRatio<dim> visit_cells(const GhostedVector             &u,
-                                 const bool                       with_tangent,
-                                 const std::vector<unsigned int> &chosen,
-                                 const CellVisitor &visitor) const;
-    VolumeRatio<dim> visit_cells(const GhostedVector             &u,
-                                 const StressStiffness            stiffness,
-                                 const std::vector<unsigned int> &chosen,
-                                 const CellVisitor &visitor) const;
+    /// Returns the smallest volume ratio among them; in small strain, 1.
+    VolumeRatio<dim> visit_cells(
+      const GhostedVector             &u,
+      const bool                       with_tangent,
+      const CellVisitor               &visitor,
+      const std::vector<unsigned int> *chosen = nullptr,
+      const StressStiffness stress_stiffness  = StressStiffness::with) const;
 
     /// The number of cells of this rank, and the unknowns of one of them.
     unsigned int n_cells() const
@@ -156,30 +151,26 @@ namespace Contact
 
     /**
      * The forces on all nodes, unconstrained: internal minus load. Where a
-     * node is supported or in contact, the force that acts there.
+     * node is supported or in contact, the force that acts there. Those of the
+     * cells with the numbers @p chosen alone are whole where all cells of a
+     * node are among them, as of those that cells_at() finds.
      */
-    GhostedVector forces(const GhostedVector &u,
-                         const double         load_factor) const;
-
-    /// The same of the cells with the numbers @p chosen alone: whole where all
-    /// cells of a node are among them, as of those that cells_at() finds.
-    GhostedVector forces(const GhostedVector             &u,
-                         const double                     load_factor,
-                         const std::vector<unsigned int> &chosen) const;
+    GhostedVector
+    forces(const GhostedVector             &u,
+           const double                     load_factor,
+           const std::vector<unsigned int> *chosen = nullptr) const;
 
     /// The numbers of the cells of this rank where @p v is not zero.
     std::vector<unsigned int> cells_at(const GhostedVector &v) const;
 
     /**
-     * The energy stored in the bodies [N mm per mm of thickness]: its
-     * derivative are the internal forces. Without that of stabilization.
-     * Collective.
+     * The energy stored in the bodies, or in one of them [N mm per mm of
+     * thickness]: its derivative are the internal forces. Without that of
+     * stabilization. Collective.
      */
-    double strain_energy(const GhostedVector &u) const;
-
-    /// That of one body. Collective.
-    double strain_energy(const types::material_id body,
-                         const GhostedVector     &u) const;
+    double
+    strain_energy(const GhostedVector                    &u,
+                  const std::optional<types::material_id> body = {}) const;
 
     /// Add the derivative of the energy of a body, its internal forces, times
     /// @p factor. Of several ranks each adds its own part.
@@ -312,13 +303,6 @@ namespace Contact
     }
 
   private:
-    template<class Numbers>
-    VolumeRatio<dim> visit(const GhostedVector  &u,
-                           const bool            with_tangent,
-                           const StressStiffness stress_stiffness,
-                           const Numbers        &numbers,
-                           const CellVisitor    &visitor) const;
-
     double cell_forces(const CellTable<dim> &cell,
                        const Vector<double> &u,
                        const StressStiffness stress_stiffness,
@@ -326,7 +310,9 @@ namespace Contact
                        Vector<double>       &forces) const;
 
     /// Without those of the loads.
-    GhostedVector internal_forces(const GhostedVector &u) const;
+    GhostedVector
+    internal_forces(const GhostedVector             &u,
+                    const std::vector<unsigned int> *chosen = nullptr) const;
 
     /// Of all active cells.
     std::vector<CellId> cell_ids() const;

@@ -30,6 +30,41 @@ namespace Contact
 
 
 
+    // FE_Q(2) numbers the corners, the mid-sides, in 3-D the centres of faces,
+    // and the centre. Leaders are in this order.
+    template<int dim>
+    std::vector<BoundNode> bound_nodes_of_element()
+    {
+      const unsigned int n_corners = GeometryInfo<dim>::vertices_per_cell,
+                         n_sides   = GeometryInfo<dim>::lines_per_cell;
+      std::vector<BoundNode> bound;
+      if constexpr (dim == 3)
+        for (const unsigned int f : GeometryInfo<3>::face_indices())
+          {
+            BoundNode centre{n_corners + n_sides + f, {}};
+            for (unsigned int v = 0; v < 4; ++v)
+              add_leaders(GeometryInfo<3>::face_to_cell_vertices(f, v),
+                          1,
+                          -0.25,
+                          centre);
+            for (unsigned int l = 0; l < 4; ++l)
+              add_leaders(n_corners + GeometryInfo<3>::face_to_cell_lines(f, l),
+                          1,
+                          0.5,
+                          centre);
+            bound.push_back(centre);
+          }
+      BoundNode centre{static_cast<unsigned int>(n_corners + n_sides +
+                                                 bound.size()),
+                       {}};
+      add_leaders(0, n_corners, -0.25, centre);
+      add_leaders(n_corners, n_sides, dim == 2 ? 0.5 : 0.25, centre);
+      bound.push_back(centre);
+      return bound;
+    }
+
+
+
     // The centre of a cell follows a free centre of a face by half, as in the
     // transfinite interpolation of the six faces: so a layer of cells has the
     // displacements of the 8-node element in 2-D.
@@ -46,48 +81,6 @@ namespace Contact
 
 
 
-  // FE_Q(2) numbers the corners 0-3, the mid-sides 4-7, the centre 8.
-  template<>
-  std::vector<BoundNode> bound_nodes<2>()
-  {
-    BoundNode centre{8, {}};
-    add_leaders(0, 4, -0.25, centre);
-    add_leaders(4, 4, 0.5, centre);
-    return {centre};
-  }
-
-
-
-  // FE_Q(2) numbers the corners 0-7, the mid-sides 8-19, the centres of faces
-  // 20-25, the centre 26. The leaders of the centre are in this order.
-  template<>
-  std::vector<BoundNode> bound_nodes<3>()
-  {
-    std::vector<BoundNode> bound;
-    for (unsigned int f = 0; f < 6; ++f)
-      {
-        BoundNode centre{20 + f, {}};
-        for (unsigned int v = 0; v < 4; ++v)
-          add_leaders(GeometryInfo<3>::face_to_cell_vertices(f, v),
-                      1,
-                      -0.25,
-                      centre);
-        for (unsigned int l = 0; l < 4; ++l)
-          add_leaders(8 + GeometryInfo<3>::face_to_cell_lines(f, l),
-                      1,
-                      0.5,
-                      centre);
-        bound.push_back(centre);
-      }
-    BoundNode centre{26, {}};
-    add_leaders(0, 8, -0.25, centre);
-    add_leaders(8, 12, 0.25, centre);
-    bound.push_back(centre);
-    return bound;
-  }
-
-
-
   template<int dim>
   std::vector<BoundNode>
   bound_nodes(const Discretization<dim> &discretization,
@@ -95,7 +88,7 @@ namespace Contact
   {
     if (!discretization.serendipity || !cell->reference_cell().is_hyper_cube())
       return {};
-    std::vector<BoundNode> bound = bound_nodes<dim>();
+    std::vector<BoundNode> bound = bound_nodes_of_element<dim>();
     if (dim == 3 && cell->at_boundary())
       for (unsigned int f = 6; f-- > 0;)
         if (cell->face(f)->at_boundary() &&

@@ -27,19 +27,14 @@ namespace Contact
     std::vector<std::pair<unsigned int, double>> leaders;
   };
 
-  /**
-   * The bound nodes of the serendipity element: the centre of a quadrangle of
-   * degree 2 follows the corners (-1/4) and the mid-side nodes (1/2), so do the
-   * centres of the faces of a hexahedron; its own centre follows its corners
-   * (-1/4) and its mid-side nodes (1/4).
-   */
-  template<int dim>
-  std::vector<BoundNode> bound_nodes();
-
-  /// Those of a cell; none of a triangle. In 3-D the centre of a face that
-  /// may touch is free: dual functions need one with positive weights, and the
-  /// corners of a face of 8 nodes have negative ones. The centre of the cell
-  /// follows it by 1/2, less what that face's corners and mid-sides would add.
+  /// The bound nodes of a cell with serendipity; none of a triangle. The centre
+  /// of a quadrangle of degree 2 follows the corners (-1/4) and the mid-side
+  /// nodes (1/2), so do the centres of the faces of a hexahedron; its own
+  /// centre follows its corners (-1/4) and its mid-side nodes (1/4). In 3-D the
+  /// centre of a face that may touch is free: dual functions need one with
+  /// positive weights, and the corners of a face of 8 nodes have negative ones.
+  /// The centre of the cell follows it by 1/2, less what that face's corners
+  /// and mid-sides would add.
   template<int dim>
   std::vector<BoundNode>
   bound_nodes(const Discretization<dim> &discretization,

@@ -102,10 +102,8 @@ namespace Contact
   double Resultant<dim>::value(const GhostedVector &solution,
                                const double         load_factor) const
   {
-    GhostedVector forces =
-      elasticity.forces(solution,
-                        load_factor,
-                        elasticity.cells_at(test_function()));
+    const auto    cells  = elasticity.cells_at(test_function());
+    GhostedVector forces = elasticity.forces(solution, load_factor, &cells);
     hand_over_from_followers(discretization, forces);
     double      sum   = 0;
     const auto &owned = discretization.dof_handler.locally_owned_dofs();
@@ -145,21 +143,20 @@ namespace Contact
                                       const double         factor,
                                       GhostedVector       &derivative) const
   {
-    const GhostedVector v = test_function();
-    elasticity.visit_cells(solution,
-                           /*with_tangent=*/true,
-                           elasticity.cells_at(v),
-                           [&](const std::vector<types::global_dof_index> &dofs,
-                               const FullMatrix<double> &tangent,
-                               const Vector<double> &) {
-                             for (unsigned int i = 0; i < dofs.size(); ++i)
-                               for (unsigned int j = 0; j < dofs.size(); ++j)
-                                 derivative[dofs[j]] +=
-                                   factor * v[dofs[i]] * tangent(i, j);
-                           });
+    const GhostedVector v     = test_function();
+    const auto          cells = elasticity.cells_at(v);
+    elasticity.visit_cells(
+      solution,
+      /*with_tangent=*/true,
+      [&](const std::vector<types::global_dof_index> &dofs,
+          const FullMatrix<double>                   &tangent,
+          const Vector<double> &) {
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          for (unsigned int j = 0; j < dofs.size(); ++j)
+            derivative[dofs[j]] += factor * v[dofs[i]] * tangent(i, j);
+      },
+      &cells);
   }
-
-
 
   template class Resultant<2>;
   template class Resultant<3>;

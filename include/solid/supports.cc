@@ -314,17 +314,26 @@ namespace Contact
 
 
 
-  namespace
+  // A hanging unknown follows others, with their round-off.
+  template<int dim>
+  void Discretization<dim>::for_supported(
+    const GhostedVector                         &u,
+    const SupportMotion<dim>                    &motion,
+    const std::function<void(const types::global_dof_index dof,
+                             const double                  way)> &visit) const
   {
-    /// The rest up to @p value. A hanging unknown follows others, with their
-    /// round-off.
-    double beyond_round_off(const double value, const double present)
-    {
-      const double few = 16 * std::numeric_limits<double>::epsilon();
-      const double d   = value - present;
-      return std::abs(d) > few * std::abs(value) ? d : 0.;
-    }
-  } // namespace
+    const double few = 16 * std::numeric_limits<double>::epsilon();
+    for (const auto &[dof, displacement] : prescribed)
+      if (u.holds(dof))
+        {
+          const double value = displacement.at(motion);
+          const double way   = value - u[dof];
+          visit(dof, std::abs(way) > few * std::abs(value) ? way : 0.);
+        }
+    for (const auto &line : normal_supports.lines())
+      if (u.holds(line.pivot))
+        visit(line.pivot, line.motion(u, motion));
+  }
 
 
 
@@ -336,21 +345,15 @@ namespace Contact
     bool                                      vanish = true;
     const auto motion    = motion_of_supports(load_factor);
     largest_displacement = normal_supports.largest(motion);
-    for (const auto &[dof, displacement] : prescribed)
-      {
-        const double value   = displacement.at(motion);
-        largest_displacement = std::max(largest_displacement, std::abs(value));
-        if (!u.holds(dof))
-          continue;
-        updates[dof] = beyond_round_off(value, u[dof]);
-        vanish       = vanish && updates[dof] == 0;
-      }
-    for (const auto &line : normal_supports.lines())
-      if (u.holds(line.pivot))
-        {
-          updates[line.pivot] = line.motion(u, motion);
-          vanish              = vanish && updates[line.pivot] == 0;
-        }
+    for (const auto &of_dof : prescribed)
+      largest_displacement =
+        std::max(largest_displacement, std::abs(of_dof.second.at(motion)));
+    for_supported(u,
+                  motion,
+                  [&](const types::global_dof_index dof, const double way) {
+                    updates[dof] = way;
+                    vanish       = vanish && way == 0;
+                  });
     bool is_fixed = true;
     if (!rigid.empty())
       {
@@ -415,14 +418,12 @@ namespace Contact
   Discretization<dim>::support_motion(const GhostedVector &u,
                                       const double         load_factor) const
   {
-    const auto    prescription = motion_of_supports(load_factor);
     GhostedVector motion(distribution);
-    for (const auto &[dof, displacement] : prescribed)
-      if (u.holds(dof))
-        motion[dof] = displacement.at(prescription) - u[dof];
-    for (const auto &line : normal_supports.lines())
-      if (u.holds(line.pivot))
-        motion[line.pivot] = line.motion(u, prescription);
+    for_supported(u,
+                  motion_of_supports(load_factor),
+                  [&](const types::global_dof_index dof, const double way) {
+                    motion[dof] = way;
+                  });
     for (const auto &line : rigid_lines(u, load_factor))
       motion[line.dof] = line.inhomogeneity;
     return motion;
@@ -435,19 +436,7 @@ namespace Contact
   Discretization<dim>::distance_from_supports(const GhostedVector &u,
                                               const double load_factor) const
   {
-    const auto motion  = motion_of_supports(load_factor);
-    double     largest = 0;
-    for (const auto &[dof, displacement] : prescribed)
-      if (u.holds(dof))
-        largest =
-          std::max(largest,
-                   std::abs(beyond_round_off(displacement.at(motion), u[dof])));
-    for (const auto &line : normal_supports.lines())
-      if (u.holds(line.pivot))
-        largest = std::max(largest, std::abs(line.motion(u, motion)));
-    for (const auto &line : rigid_lines(u, load_factor))
-      largest = std::max(largest, std::abs(line.inhomogeneity));
-    return Utilities::MPI::max(largest, communicator);
+    return support_motion(u, load_factor).linfty_norm();
   }
 
 

@@ -7,41 +7,38 @@
 #include "solvers/condensed_form.h"
 #include "solvers/multigrid/matrix_free_system.h"
 #include "solvers/newton/linear_system.h"
-#include "solvers/saddle_point/saddle_point_form.h"
+#include "solvers/saddle_point/saddle_point_system.h"
 
 namespace Contact
 {
-  template<>
-  std::unique_ptr<LinearSystem<2>>
-  LinearSystem<2>::create(const ContactModel<2>      &model,
-                          const Parameters::All      &parameters,
-                          const ContactLinearization &linearization,
-                          ConditionalOStream         &screen,
-                          TimerOutput                &timer)
+  template<int dim>
+  std::unique_ptr<LinearSystem<dim>>
+  LinearSystem<dim>::create(const ContactModel<dim>    &model,
+                            const Parameters::All      &parameters,
+                            const ContactLinearization &linearization,
+                            ConditionalOStream         &screen,
+                            TimerOutput                &timer)
   {
-    if (parameters.is_condensed(model.n_displacements()))
-      return std::make_unique<CondensedForm<2>>(model,
+    // In loops around Newton's method little changes from one to the next. With
+    // the pairing in the tangent there are none: it is there for its quadratic
+    // convergence.
+    const bool keeps_factorization =
+      parameters.geometry(model.n_displacements()) !=
+      Parameters::GeometryLoop::newton;
+    if constexpr (dim == 2)
+      if (!parameters.is_condensed(model.n_displacements()))
+        return std::make_unique<SaddlePointSystem>(
+          model,
+          linearization,
+          model.geometry_follows(parameters.solution),
+          keeps_factorization,
+          timer,
+          parameters.solution.linear_solver == Parameters::SolverKind::umfpack,
+          &screen);
+    return std::make_unique<CondensedForm<dim>>(model,
                                                 parameters,
                                                 screen,
                                                 timer);
-    return std::make_unique<SaddlePointForm>(model,
-                                             parameters,
-                                             linearization,
-                                             screen,
-                                             timer);
-  }
-
-
-
-  template<>
-  std::unique_ptr<LinearSystem<3>>
-  LinearSystem<3>::create(const ContactModel<3> &model,
-                          const Parameters::All &parameters,
-                          const ContactLinearization &,
-                          ConditionalOStream &screen,
-                          TimerOutput        &timer)
-  {
-    return std::make_unique<CondensedForm<3>>(model, parameters, screen, timer);
   }
 
 
@@ -69,6 +66,12 @@ namespace Contact
                                                   timer);
   }
 
+  template std::unique_ptr<LinearSystem<2>>
+  LinearSystem<2>::create(const ContactModel<2> &,
+                          const Parameters::All &,
+                          const ContactLinearization &,
+                          ConditionalOStream &,
+                          TimerOutput &);
   template std::unique_ptr<CondensedSystem<2>>
   CondensedSystem<2>::create(const Discretization<2> &,
                              const Elasticity<2> &,
@@ -76,7 +79,12 @@ namespace Contact
                              ContactElimination<2> &,
                              const Parameters::SolverKind,
                              TimerOutput &);
-
+  template std::unique_ptr<LinearSystem<3>>
+  LinearSystem<3>::create(const ContactModel<3> &,
+                          const Parameters::All &,
+                          const ContactLinearization &,
+                          ConditionalOStream &,
+                          TimerOutput &);
   template std::unique_ptr<CondensedSystem<3>>
   CondensedSystem<3>::create(const Discretization<3> &,
                              const Elasticity<3> &,

@@ -122,6 +122,7 @@ namespace Contact
 
       LooseFacet<dim> facet;
       facet.body  = cell->material_id();
+      facet.piece = discretization.mesh.pieces.of_cell(cell);
       facet.level = cell->level();
       // Round sides do not make a flat face round.
       facet.middle = face->center(

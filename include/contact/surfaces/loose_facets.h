@@ -23,6 +23,7 @@ namespace Contact
   {
     PerFacetNode<dim, SurfaceNode<dim>> nodes;
     types::material_id                  body;
+    unsigned int                        piece;
     unsigned int                        part;
     Point<dim>                          middle;
     unsigned int                        level;
@@ -42,7 +43,7 @@ namespace Contact
             archive &dof;
           archive &node.X;
         }
-      archive &body &part &middle &level;
+      archive &body &piece &part &middle &level;
       for (auto &dof : name)
         archive &dof;
       for (auto &of_node : parents)

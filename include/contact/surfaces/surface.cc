@@ -71,6 +71,7 @@ namespace Contact
         {
           SurfaceFacet<dim> facet;
           facet.body   = loose.body;
+          facet.piece  = loose.piece;
           facet.part   = loose.part;
           facet.middle = loose.middle;
           facet.level  = loose.level;

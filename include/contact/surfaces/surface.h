@@ -74,7 +74,8 @@ namespace Contact
 
     /// In the order of the shape functions.
     PerFacetNode<dim, unsigned int> nodes;
-    types::material_id              body = 0;
+    types::material_id              body  = 0;
+    unsigned int                    piece = 0; // of its body, see MeshPieces
 
     /// The connected part of the mesh it belongs to, which may be of several
     /// bodies, or a part of one.

@@ -19,15 +19,16 @@ namespace Contact
     matrix = 0;
     elasticity.visit_cells(
       solution,
-      stiffness,
-      bulk_cells,
+      /*with_tangent=*/true,
       [&](const Dofs               &dofs,
           const FullMatrix<double> &tangent,
           const Vector<double> &) {
         discretization.constraints.distribute_local_to_global(tangent,
                                                               dofs,
                                                               matrix);
-      });
+      },
+      &bulk_cells,
+      stiffness);
     matrix.compress(VectorOperation::add);
     changes.clear();
     if (elasticity.changes_by_yielding() && elasticity.springs.held().empty())
@@ -44,14 +45,14 @@ namespace Contact
   {
     std::map<unsigned int, FullMatrix<double>> found;
     auto                                       cell = cells.begin();
-    elasticity.visit_cells(solution,
-                           StressStiffness::change_by_yielding,
-                           cells,
-                           [&](const Dofs &,
-                               const FullMatrix<double> &change,
-                               const Vector<double> &) {
-                             found.emplace(*cell++, change);
-                           });
+    elasticity.visit_cells(
+      solution,
+      /*with_tangent=*/true,
+      [&](const Dofs &,
+          const FullMatrix<double> &change,
+          const Vector<double> &) { found.emplace(*cell++, change); },
+      &cells,
+      StressStiffness::change_by_yielding);
     return found;
   }
 

@@ -328,15 +328,17 @@ namespace Contact
           cells.push_back(interface_cells[k]);
         }
     auto next = missing.begin();
-    elasticity.visit_cells(solution,
-                           stress_stiffness(),
-                           cells,
-                           [&](const Dofs &,
-                               const FullMatrix<double> &tangent,
-                               const Vector<double>     &forces) {
-                             interface_tangents[*next] = tangent;
-                             set_interface_forces(*next++, forces, solution);
-                           });
+    elasticity.visit_cells(
+      solution,
+      /*with_tangent=*/true,
+      [&](const Dofs &,
+          const FullMatrix<double> &tangent,
+          const Vector<double>     &forces) {
+        interface_tangents[*next] = tangent;
+        set_interface_forces(*next++, forces, solution);
+      },
+      &cells,
+      stress_stiffness());
   }
 
 
@@ -376,16 +378,17 @@ namespace Contact
   CondensedSystem<dim>::renew_interface_forces(const GhostedVector &solution)
   {
     unsigned int k = 0;
-    elasticity.visit_cells(solution,
-                           /*with_tangent=*/false,
-                           interface_cells,
-                           [&](const Dofs &,
-                               const FullMatrix<double> &,
-                               const Vector<double> &forces) {
-                             if (!interface_tangents[k].empty())
-                               set_interface_forces(k, forces, solution);
-                             ++k;
-                           });
+    elasticity.visit_cells(
+      solution,
+      /*with_tangent=*/false,
+      [&](const Dofs &,
+          const FullMatrix<double> &,
+          const Vector<double> &forces) {
+        if (!interface_tangents[k].empty())
+          set_interface_forces(k, forces, solution);
+        ++k;
+      },
+      &interface_cells);
     thermal_version = elasticity.thermal_version();
   }
 

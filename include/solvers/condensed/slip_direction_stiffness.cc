@@ -29,9 +29,9 @@ namespace Contact
 
     /// Make of @p term what the system gets, with the load of @p acting, a
     /// shear by tangent.
-    void complete(const ContactPoint<3> &point,
-                  const Tensor<1, 2>    &acting,
-                  Term                  &term)
+    void complete(const ContactPoint<3>           &point,
+                  const Tensor<1, 2>              &acting,
+                  SlipDirectionStiffness<3>::Term &term)
     {
       const unsigned int n = 3 * point.n_nodes;
       term.stiffness.reinit(n, n);
@@ -70,85 +70,79 @@ namespace Contact
 
 
 
-  template<>
-  std::vector<SlipDirectionStiffness<2>::Term>
-  SlipDirectionStiffness<2>::terms(const ContactInterface<2> &,
-                                   const GhostedVector &,
-                                   const GhostedVector &,
-                                   const bool)
+  template<int dim>
+  std::vector<typename SlipDirectionStiffness<dim>::Term>
+  SlipDirectionStiffness<dim>::terms(const ContactInterface<dim> &interface,
+                                     const GhostedVector         &solution,
+                                     const GhostedVector         &u_start,
+                                     const bool any_rank_may_add)
   {
-    return {};
-  }
-
-
-
-  template<>
-  std::vector<SlipDirectionStiffness<3>::Term>
-  SlipDirectionStiffness<3>::terms(const ContactInterface<3> &interface,
-                                   const GhostedVector       &solution,
-                                   const GhostedVector       &u_start,
-                                   const bool                 any_rank_may_add)
-  {
-    std::vector<Term>         all;
-    std::vector<Tensor<1, 2>> acting;
-    for (unsigned int k = 0; k < interface.points().size(); ++k)
+    std::vector<Term> all;
+    if constexpr (dim == 3)
       {
-        const ContactPoint<3> &point = interface.points()[k];
-        if (point.status.kind == Status::open)
-          continue;
-        const ContactState<3> now = interface.state(point, solution, u_start);
-        const double          c   = point.augmentation_parameter;
-        const Tensor<1, 2>    whole_slip = way(point, now);
-        // The shear of the springs acts already.
-        if (point.status.kind == Status::stick &&
-            point.stick_compliance.norm() > 0)
+        std::vector<Tensor<1, 2>> acting;
+        for (unsigned int k = 0; k < interface.points().size(); ++k)
           {
-            all.push_back(
-              {k,
-               {},
-               c * point.stick_compliance,
-               point.stick_compliance * (now.q_trial + c * whole_slip)});
-            acting.emplace_back();
+            const ContactPoint<3> &point = interface.points()[k];
+            if (point.status.kind == Status::open)
+              continue;
+            const ContactState<3> now =
+              interface.state(point, solution, u_start);
+            const double       c          = point.augmentation_parameter;
+            const Tensor<1, 2> whole_slip = way(point, now);
+            // The shear of the springs acts already.
+            if (point.status.kind == Status::stick &&
+                point.stick_compliance.norm() > 0)
+              {
+                all.push_back(
+                  {k,
+                   {},
+                   c * point.stick_compliance,
+                   point.stick_compliance * (now.q_trial + c * whole_slip)});
+                acting.emplace_back();
+              }
+            const double size = now.q_trial.norm();
+            // Supports move it, or an edge leaves one direction: nothing turns.
+            if (!point.status.has_direction() || size == 0 ||
+                !point.tangents_held_by_points.empty())
+              continue;
+            const double bound = interface.bounds.law(point).bound(now.p_trial);
+            // The exact stiffness of a point that hardly slips is without
+            // bound: multigrid takes more iterations then, and active sets find
+            // no end. A sliver of a facet has less weight.
+            const double length =
+              interface.contact_pair(point).edge_length(point);
+            const double largest = 1000 * length * length / point.weight;
+            const double beta    = std::min(bound / size, 1.);
+
+            const Tensor<1, 2> &d      = point.status.direction();
+            const Tensor<1, 2>  across = cross_product_2d(d);
+            const Tensor<1, 2> rigid = across - point.stick_compliance * across;
+            const double       left  = 1 - beta * (across * rigid);
+            const double share = beta < largest * left ? beta / left : largest;
+            const Tensor<1, 2> rotation = share * (rigid * d) * across;
+            const Tensor<1, 2> rest = -share * (rigid * now.lambda_t) * across;
+            const Tensor<2, 2> of_slip =
+              c * share * outer_product(across, across);
+            all.push_back({k, rotation, of_slip, rest + of_slip * whole_slip});
+            acting.push_back(bound * rotation + rest);
           }
-        const double size = now.q_trial.norm();
-        // Supports move it, or an edge leaves one direction: nothing turns.
-        if (!point.status.has_direction() || size == 0 ||
-            !point.tangents_held_by_points.empty())
-          continue;
-        const double bound = interface.bounds.law(point).bound(now.p_trial);
-        // The exact stiffness of a point that hardly slips is without bound:
-        // multigrid takes more iterations then, and active sets find no end. A
-        // sliver of a facet has less weight.
-        const double length  = interface.contact_pair(point).edge_length(point);
-        const double largest = 1000 * length * length / point.weight;
-        const double beta    = std::min(bound / size, 1.);
 
-        const Tensor<1, 2> &d      = point.status.direction();
-        const Tensor<1, 2>  across = cross_product_2d(d);
-        const Tensor<1, 2>  rigid  = across - point.stick_compliance * across;
-        const double        left   = 1 - beta * (across * rigid);
-        const double share = beta < largest * left ? beta / left : largest;
-        const Tensor<1, 2> rotation = share * (rigid * d) * across;
-        const Tensor<1, 2> rest     = -share * (rigid * now.lambda_t) * across;
-        const Tensor<2, 2> of_slip  = c * share * outer_product(across, across);
-        all.push_back({k, rotation, of_slip, rest + of_slip * whole_slip});
-        acting.push_back(bound * rotation + rest);
-      }
-
-    const auto    &discretization = interface.discretization;
-    const IndexSet share =
-      Utilities::MPI::create_evenly_distributed_partitioning(
-        discretization.communicator,
-        all.size());
-    const IndexSet &owned = discretization.dof_handler.locally_owned_dofs();
-    for (unsigned int t = 0; t < all.size(); ++t)
-      {
-        const ContactPoint<3> &point = interface.points()[all[t].point];
-        if (any_rank_may_add ? share.is_element(t)
-                             : owned.is_element(point.dofs(0)[0]))
+        const auto    &discretization = interface.discretization;
+        const IndexSet share =
+          Utilities::MPI::create_evenly_distributed_partitioning(
+            discretization.communicator,
+            all.size());
+        const IndexSet &owned = discretization.dof_handler.locally_owned_dofs();
+        for (unsigned int t = 0; t < all.size(); ++t)
           {
-            complete(point, acting[t], all[t]);
-            ++discretization.counters.slip_stiffnesses;
+            const ContactPoint<3> &point = interface.points()[all[t].point];
+            if (any_rank_may_add ? share.is_element(t)
+                                 : owned.is_element(point.dofs(0)[0]))
+              {
+                complete(point, acting[t], all[t]);
+                ++discretization.counters.slip_stiffnesses;
+              }
           }
       }
     return all;

@@ -58,13 +58,15 @@ namespace Contact
     /// The points are no longer those that the pattern was made for.
     virtual void clear_pattern() = 0;
 
-    /// Set the multipliers of the state, behind a @p part of the last step (0:
-    /// none), from @p rhs, minus the residual of the bodies alone, or in 3-D
-    /// from what the tangent of that step makes of it. Does nothing if they are
-    /// unknowns.
-    virtual void recover_multipliers(const GhostedVector &rhs,
-                                     const double         part,
-                                     IncrementState<dim> &state) = 0;
+    /// Set the multipliers of the state, behind a part of the last step (0:
+    /// none), from a right-hand side, minus the residual of the bodies alone,
+    /// or in 3-D from what the tangent of that step makes of it. Does nothing
+    /// if they are unknowns.
+    virtual void recover_multipliers(const GhostedVector &,
+                                     const double,
+                                     IncrementState<dim> &)
+    {
+    }
 
     /// Subtract the internal forces under displacements from the right-hand
     /// side, constraints eliminated, those of owned unknowns, if there is a
@@ -97,7 +99,9 @@ namespace Contact
 
     /// Make the tangent of a state, of which tangent_is_indefinite() is to
     /// tell, without a step. Throws NotConverged if it is not definite.
-    virtual void renew_tangent(const IncrementState<dim> &state) = 0;
+    virtual void renew_tangent(const IncrementState<dim> &)
+    {
+    }
 
     /// Whether the tangent of the last step, which has led to @p state, is
     /// known to be indefinite: no stable state has such a one. What costs some
@@ -112,7 +116,10 @@ namespace Contact
 
     /// Of what may be why Newton's method does not converge: a sentence, or
     /// nothing.
-    virtual std::string contradiction() const = 0;
+    virtual std::string contradiction() const
+    {
+      return "";
+    }
   };
 } // namespace Contact
 

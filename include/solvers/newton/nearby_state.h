@@ -6,6 +6,8 @@
 #ifndef contact_nearby_state_h
 #define contact_nearby_state_h
 
+#include <algorithm>
+
 #include "solid/discretization.h"
 
 namespace Contact
@@ -20,7 +22,18 @@ namespace Contact
   bool is_nearby(const Discretization<dim> &discretization,
                  const GhostedVector       &solution,
                  const GhostedVector       &place,
-                 const GhostedVector       &start);
+                 const GhostedVector       &start)
+  {
+    const double        hundredth = 0.01, round_off = 1e-8;
+    const GhostedVector u             = discretization.displacements(solution);
+    const auto          distance_from = [&](const GhostedVector &other) {
+      GhostedVector way = u;
+      way -= discretization.displacements(other);
+      return way.linfty_norm();
+    };
+    return distance_from(place) <= std::max(hundredth * distance_from(start),
+                                            round_off * u.linfty_norm());
+  }
 } // namespace Contact
 
 #endif

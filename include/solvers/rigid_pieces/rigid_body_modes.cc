@@ -244,15 +244,35 @@ namespace Contact
 
 
 
-    using PieceOfNode = std::map<types::global_dof_index, unsigned int>;
+    /// Visit the nodes of all facets that may touch.
+    template<int dim, typename Visit>
+    void for_facets(const ContactInterface<dim> &interface, const Visit &visit)
+    {
+      const auto of_surface = [&](const Surface<dim> &surface) {
+        for (const SurfaceFacet<dim> &facet : surface.facets)
+          for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+            visit(facet, surface.nodes[facet.nodes[a]]);
+      };
+      for (const auto &contact_pair : interface.pairs)
+        {
+          of_surface(contact_pair->slave);
+          if (contact_pair->master)
+            of_surface(*contact_pair->master);
+        }
+    }
+
+
 
     /// The points in contact.
     template<int dim>
     void resist_by_contact(const ContactInterface<dim> &interface,
-                           const PieceOfNode           &of_node,
                            const Tangents               tangents,
                            ResistedMotions<dim>        &motions)
     {
+      std::map<types::global_dof_index, unsigned int> of_node;
+      for_facets(interface, [&](const auto &facet, const auto &node) {
+        of_node[node.dofs[0]] = facet.piece;
+      });
       const bool only_glue = tangents == Tangents::glued;
       const auto sticks    = [&](const ContactPoint<dim> &point) {
         return only_glue ||
@@ -282,21 +302,13 @@ namespace Contact
     /// All nodes that may come into contact, whatever it be with.
     template<int dim>
     void resist_where_contact_may_be(const ContactInterface<dim> &interface,
-                                     const PieceOfNode           &of_node,
                                      ResistedMotions<dim>        &motions)
     {
-      const auto hold = [&](const Surface<dim> &surface) {
-        for (const SurfaceNode<dim> &node : surface.nodes)
-          for (unsigned int c = 0; c < dim; ++c)
-            motions.resist({{of_node.at(node.dofs[0]), node.X, 1}},
-                           Point<dim>::unit_vector(c));
-      };
-      for (const auto &contact_pair : interface.pairs)
-        {
-          hold(contact_pair->slave);
-          if (contact_pair->master)
-            hold(*contact_pair->master);
-        }
+      for_facets(interface, [&](const auto &facet, const auto &node) {
+        for (unsigned int c = 0; c < dim; ++c)
+          motions.resist({{facet.piece, node.X, 1}},
+                         Point<dim>::unit_vector(c));
+      });
     }
 
 
@@ -378,54 +390,6 @@ namespace Contact
 
 
 
-  // The cells that have the nodes may be those of other ranks.
-  template<int dim>
-  PieceOfNode pieces_of_nodes(const Discretization<dim>   &discretization,
-                              const ContactInterface<dim> &interface)
-  {
-    PieceOfNode of_node;
-    const auto  add = [&](const Surface<dim> &surface) {
-      for (const SurfaceNode<dim> &node : surface.nodes)
-        of_node[node.dofs[0]] = 0;
-    };
-    for (const auto &contact_pair : interface.pairs)
-      {
-        add(contact_pair->slave);
-        if (contact_pair->master)
-          add(*contact_pair->master);
-      }
-
-    // One more than the number, so that zero is none.
-    std::vector<types::global_dof_index> dofs;
-    std::vector<unsigned int>            numbers(of_node.size(), 0);
-    const auto                           find = [&](const bool at_boundary) {
-      for (const auto &cell :
-           discretization.dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned() && (cell->at_boundary() || !at_boundary))
-          {
-            dofs.resize(cell->get_fe().n_dofs_per_cell());
-            cell->get_dof_indices(dofs);
-            for (const auto dof : dofs)
-              if (const auto node = of_node.find(dof); node != of_node.end())
-                node->second = discretization.mesh.pieces.of_cell(cell) + 1;
-          }
-      auto number = numbers.begin();
-      for (const auto &node : of_node)
-        *number++ = node.second;
-      Utilities::MPI::max(numbers, discretization.communicator, numbers);
-    };
-    find(/*at_boundary=*/true);
-    // In a concave corner a node that hangs may follow one of a cell inside.
-    if (std::find(numbers.begin(), numbers.end(), 0u) != numbers.end())
-      find(/*at_boundary=*/false);
-    auto number = numbers.begin();
-    for (auto &node : of_node)
-      node.second = *number++ - 1;
-    return of_node;
-  }
-
-
-
   template<int dim>
   std::vector<RigidBodyMode>
   rigid_body_modes(const Discretization<dim>   &discretization,
@@ -438,10 +402,7 @@ namespace Contact
     resist_by_joints(discretization, motions);
     resist_by_rigid_boundaries(discretization, motions);
     if (interface != nullptr)
-      resist_by_contact(*interface,
-                        pieces_of_nodes(discretization, *interface),
-                        tangents,
-                        motions);
+      resist_by_contact(*interface, tangents, motions);
     return find_free(discretization.mesh.pieces, motions);
   }
 
@@ -457,9 +418,7 @@ namespace Contact
     resist_by_joints(discretization, motions);
     resist_by_rigid_boundaries(discretization, motions);
     if (interface != nullptr)
-      resist_where_contact_may_be(*interface,
-                                  pieces_of_nodes(discretization, *interface),
-                                  motions);
+      resist_where_contact_may_be(*interface, motions);
     const auto free = find_free(discretization.mesh.pieces, motions);
     if (!free.empty())
       throw InputError("nothing holds " +
@@ -476,16 +435,10 @@ namespace Contact
                    const Tangents             tangents,
                    const Rotations<2>        &rotations);
   template std::vector<RigidBodyMode>
-  rigid_body_modes(const Discretization<3>   &discretization,
-                   const ContactInterface<3> *interface,
-                   const Tangents             tangents,
-                   const Rotations<3>        &rotations);
-  template std::map<types::global_dof_index, unsigned int>
-  pieces_of_nodes(const Discretization<2>   &discretization,
-                  const ContactInterface<2> &interface);
-  template std::map<types::global_dof_index, unsigned int>
-                pieces_of_nodes(const Discretization<3>   &discretization,
-                                const ContactInterface<3> &interface);
+                rigid_body_modes(const Discretization<3>   &discretization,
+                                 const ContactInterface<3> *interface,
+                                 const Tangents             tangents,
+                                 const Rotations<3>        &rotations);
   template void check_supports(const Discretization<2>   &discretization,
                                const ContactInterface<2> *interface);
   template void check_supports(const Discretization<3>   &discretization,

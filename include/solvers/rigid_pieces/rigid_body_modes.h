@@ -88,13 +88,6 @@ namespace Contact
                    const Tangents               tangents  = Tangents::by_status,
                    const Rotations<dim>        &rotations = {});
 
-  /// The pieces of the nodes of all surfaces, by the first unknown of the node.
-  /// Collective.
-  template<int dim>
-  std::map<types::global_dof_index, unsigned int>
-  pieces_of_nodes(const Discretization<dim>   &discretization,
-                  const ContactInterface<dim> &interface);
-
   /**
    * Check that every piece of a body is held, or can come to be: by supports,
    * or by contact if it has a surface that may touch another body. Throws

@@ -22,22 +22,34 @@ namespace Contact
 {
   namespace
   {
-    /// Sums over a piece, of corners with the area of their cell as weight w
-    /// and the place r from the centre of the box: w, w r, w u, w r x u, w r.r.
-    using Sums                   = std::array<double, 7>;
-    constexpr unsigned int n_sum = std::tuple_size<Sums>::value;
-
-
-
-    Sums terms(const double w, const Tensor<1, 2> &r, const Tensor<1, 2> &u)
+    /// Visit the nodes of all cells of this rank with their unknowns and
+    /// places.
+    template<int dim, typename Visit>
+    void for_nodes(const Discretization<dim> &discretization,
+                   const Visit               &visit)
     {
-      return {{w,
-               w * r[0],
-               w * r[1],
-               w * u[0],
-               w * u[1],
-               w * (r[0] * u[1] - r[1] * u[0]),
-               w * (r * r)}};
+      std::vector<types::global_dof_index> dofs;
+      for (const auto &cell :
+           discretization.dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            const auto &fe   = cell->get_fe();
+            const auto &node = fe.base_element(0);
+            dofs.resize(fe.n_dofs_per_cell());
+            cell->get_dof_indices(dofs);
+            for (unsigned int a = 0; a < node.n_dofs_per_cell(); ++a)
+              {
+                NodeDoFs<dim> of_node;
+                for (unsigned int c = 0; c < dim; ++c)
+                  of_node[c] = dofs[fe.component_to_system_index(c, a)];
+                visit(cell,
+                      of_node,
+                      discretization.mapping[cell->active_fe_index()]
+                        .transform_unit_to_real_cell(cell,
+                                                     node.unit_support_point(
+                                                       a)));
+              }
+          }
     }
 
 
@@ -69,22 +81,18 @@ namespace Contact
     /// sticks or is glued somewhere.
     template<int dim>
     std::map<unsigned int, std::vector<Point<dim>>>
-    frictionless_corners(const Discretization<dim>   &discretization,
-                         const ContactInterface<dim> &interface)
+    frictionless_corners(const ContactInterface<dim> &interface)
     {
-      const auto of_node = pieces_of_nodes(discretization, interface);
       std::map<unsigned int, std::vector<Point<dim>>> corners;
       std::set<unsigned int>                          rough;
       const auto collect = [&](const Surface<dim> &surface, const bool smooth) {
         for (const SurfaceFacet<dim> &edge : surface.facets)
-          for (unsigned int a = 0; a < 2; ++a)
-            {
-              const SurfaceNode<dim> &node  = surface.nodes[edge.nodes[a]];
-              const unsigned int      piece = of_node.at(node.dofs[0]);
-              corners[piece].push_back(node.X);
-              if (!smooth)
-                rough.insert(piece);
-            }
+          {
+            for (unsigned int a = 0; a < 2; ++a)
+              corners[edge.piece].push_back(surface.nodes[edge.nodes[a]].X);
+            if (!smooth)
+              rough.insert(edge.piece);
+          }
       };
       for (const auto &contact_pair : interface.pairs)
         {
@@ -130,27 +138,15 @@ namespace Contact
     {
       GhostedVector rotation(discretization.distribution);
       const auto   &owned = discretization.dof_handler.locally_owned_dofs();
-      std::vector<types::global_dof_index> dofs;
-      for (const auto &cell :
-           discretization.dof_handler.active_cell_iterators())
-        if (!cell->is_artificial() &&
-            discretization.mesh.pieces.of_cell(cell) == piece)
-          {
-            const auto &fe = cell->get_fe();
-            dofs.resize(fe.n_dofs_per_cell());
-            cell->get_dof_indices(dofs);
-            for (unsigned int i = 0; i < dofs.size(); ++i)
-              if (owned.is_element(dofs[i]))
-                {
-                  const Tensor<1, 2> r =
-                    discretization.mapping[cell->active_fe_index()]
-                      .transform_unit_to_real_cell(cell,
-                                                   fe.unit_support_point(i)) -
-                    centre;
-                  rotation[dofs[i]] =
-                    fe.system_to_component_index(i).first == 0 ? -r[1] : r[0];
-                }
-          }
+      for_nodes(discretization,
+                [&](const auto &cell, const auto &dofs, const Point<2> &X) {
+                  if (discretization.mesh.pieces.of_cell(cell) != piece)
+                    return;
+                  const Tensor<1, 2> way = rigid_motion(2, X - centre);
+                  for (unsigned int c = 0; c < 2; ++c)
+                    if (owned.is_element(dofs[c]))
+                      rotation[dofs[c]] = way[c];
+                });
       rotation.update_ghosts();
       return rotation;
     }
@@ -202,132 +198,38 @@ namespace Contact
       boxes.emplace(pieces[piece].body, pieces[piece].box)
         .first->second.merge_with(pieces[piece].box);
 
-    std::vector<types::global_dof_index> dofs;
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-      {
-        if (!cell->is_locally_owned())
-          continue;
-        const auto      &fe     = cell->get_fe();
-        const Point<dim> centre = boxes.at(cell->material_id()).center();
-        const auto &mapping = discretization.mapping[cell->active_fe_index()];
-        dofs.resize(fe.n_dofs_per_cell());
-        cell->get_dof_indices(dofs);
-        for (unsigned int a = 0; a < fe.base_element(0).n_dofs_per_cell(); ++a)
-          {
-            if (!owned.is_element(dofs[fe.component_to_system_index(0, a)]))
-              continue;
-            const Tensor<1, dim> arm =
-              mapping.transform_unit_to_real_cell(
-                cell,
-                fe.base_element(0).unit_support_point(a)) -
-              centre;
-            for (unsigned int m = 0; m < n_modes; ++m)
-              {
-                const Tensor<1, dim> motion = rigid_motion(m, arm);
-                for (unsigned int c = 0; c < dim; ++c)
-                  modes[m][owned.index_within_set(
-                    dofs[fe.component_to_system_index(c, a)])] = motion[c];
-              }
-          }
-      }
+    for_nodes(discretization,
+              [&](const auto &cell, const auto &dofs, const Point<dim> &X) {
+                if (!owned.is_element(dofs[0]))
+                  return;
+                const Tensor<1, dim> arm =
+                  X - boxes.at(cell->material_id()).center();
+                for (unsigned int m = 0; m < n_modes; ++m)
+                  {
+                    const Tensor<1, dim> motion = rigid_motion(m, arm);
+                    for (unsigned int c = 0; c < dim; ++c)
+                      modes[m][owned.index_within_set(dofs[c])] = motion[c];
+                  }
+              });
     return modes;
   }
 
 
 
-  template<>
-  std::vector<double> rigid_rotations(const Discretization<2> &discretization,
-                                      const GhostedVector     &u)
-  {
-    const MeshPieces<2> &pieces = discretization.mesh.pieces;
-    std::vector<double>  sums(n_sum * pieces.size());
-    for (const auto &cell :
-         discretization.mesh.triangulation.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const unsigned int piece = pieces.of_cell(cell);
-          for (const unsigned int v : cell->vertex_indices())
-            {
-              const NodeDoFs<2> &dofs =
-                discretization.vertex_dofs[cell->vertex_index(v)];
-              const Sums of_corner =
-                terms(cell->measure(),
-                      cell->vertex(v) - pieces[piece].box.center(),
-                      Tensor<1, 2>({u[dofs[0]], u[dofs[1]]}));
-              for (unsigned int i = 0; i < n_sum; ++i)
-                sums[n_sum * piece + i] += of_corner[i];
-            }
-        }
-    Utilities::MPI::sum(sums, discretization.communicator, sums);
-
-    std::vector<double> angles;
-    for (unsigned int piece = 0; piece < pieces.size(); ++piece)
-      {
-        const double      *s = &sums[n_sum * piece];
-        const Tensor<1, 2> r({s[1] / s[0], s[2] / s[0]});
-        const double       moment  = s[5] - (r[0] * s[4] - r[1] * s[3]);
-        const double       inertia = s[6] - s[0] * (r * r);
-        angles.push_back(moment / inertia);
-      }
-    return angles;
-  }
-
-
-
-  template<>
-  std::vector<SpinningPiece>
-  turning_pieces(const Discretization<2>   &discretization,
-                 const Elasticity<2>       &elasticity,
-                 const ContactInterface<2> &interface)
-  {
-    std::vector<SpinningPiece> turning;
-    const auto corners = frictionless_corners(discretization, interface);
-    for (const RigidBodyMode &motion :
-         rigid_body_modes<2>(discretization, nullptr))
-      {
-        const auto of_piece = corners.find(motion.piece);
-        if (motion.n < 3 || of_piece == corners.end() ||
-            has_joint(discretization, motion.piece))
-          continue;
-        const auto centre = common_centre(of_piece->second);
-        if (!centre)
-          continue;
-        SpinningPiece piece{motion.piece,
-                            rotation_about(discretization,
-                                           motion.piece,
-                                           *centre),
-                            of_piece->second.front().distance(*centre)};
-        if (does_no_work(elasticity.dead_loads.at(1), piece.rotation))
-          turning.push_back(piece);
-      }
-    return turning;
-  }
-
-
-
-  template<>
-  void remove_rotations(const Discretization<2>          &discretization,
-                        const std::vector<SpinningPiece> &pieces,
-                        GhostedVector                    &u)
-  {
-    if (pieces.empty())
-      return;
-    const auto angles = rigid_rotations(discretization, u);
-    for (const SpinningPiece &piece : pieces)
-      for (unsigned int k = 0; k < piece.rotation.n_held(); ++k)
-        u.begin()[k] -= angles[piece.piece] * piece.rotation.begin()[k];
-  }
-
-
-
   // The omega of the motion a + omega x (X - c): the moment of the
-  // displacements by the moments of inertia about the centre of mass.
-  template<>
-  std::vector<double> rigid_rotations(const Discretization<3> &discretization,
-                                      const GhostedVector     &u)
+  // displacements by the moments of inertia about the centre of mass. The sums
+  // are over the corners, with the volume of their cell as weight, about the
+  // centre of the box: w, w r, w u, w r x u, and the products of the
+  // displacements by rotations.
+  template<int dim>
+  std::vector<double> rigid_rotations(const Discretization<dim> &discretization,
+                                      const GhostedVector       &u)
   {
-    const MeshPieces<3>   &pieces = discretization.mesh.pieces;
-    constexpr unsigned int n_sums = 1 + 3 + 3 + 3 + 9;
+    constexpr unsigned int n    = Dimension<dim>::n_rotations;
+    constexpr unsigned int at_u = 1 + dim, at_moment = at_u + dim,
+                           at_inertia = at_moment + n,
+                           n_sums     = at_inertia + n * n;
+    const MeshPieces<dim> &pieces     = discretization.mesh.pieces;
     std::vector<double>    sums(n_sums * pieces.size());
     for (const auto &cell :
          discretization.mesh.triangulation.active_cell_iterators())
@@ -340,18 +242,23 @@ namespace Contact
             {
               const auto &dofs =
                 discretization.vertex_dofs[cell->vertex_index(v)];
-              const Tensor<1, 3> r =
+              const Tensor<1, dim> r =
                 cell->vertex(v) - pieces[piece].box.center();
-              const Tensor<1, 3> motion({u[dofs[0]], u[dofs[1]], u[dofs[2]]});
-              const Tensor<1, 3> moment = cross_product_3d(r, motion);
+              Tensor<1, dim> motion;
               s[0] += w;
-              for (unsigned int i = 0; i < 3; ++i)
+              for (unsigned int i = 0; i < dim; ++i)
                 {
+                  motion[i] = u[dofs[i]];
                   s[1 + i] += w * r[i];
-                  s[4 + i] += w * motion[i];
-                  s[7 + i] += w * moment[i];
-                  for (unsigned int j = 0; j < 3; ++j)
-                    s[10 + 3 * i + j] += w * r[i] * r[j];
+                  s[at_u + i] += w * motion[i];
+                }
+              for (unsigned int m = 0; m < n; ++m)
+                {
+                  const Tensor<1, dim> turn = rigid_motion(dim + m, r);
+                  s[at_moment + m] += w * (turn * motion);
+                  for (unsigned int k = 0; k < n; ++k)
+                    s[at_inertia + n * m + k] +=
+                      w * (turn * rigid_motion(dim + k, r));
                 }
             }
         }
@@ -360,44 +267,76 @@ namespace Contact
     std::vector<double> angles;
     for (unsigned int piece = 0; piece < pieces.size(); ++piece)
       {
-        const double *s = &sums[n_sums * piece];
-        Tensor<1, 3>  r, motion, moment;
-        Tensor<2, 3>  spread;
-        for (unsigned int i = 0; i < 3; ++i)
+        const double  *s = &sums[n_sums * piece];
+        Tensor<1, dim> centre, motion;
+        for (unsigned int i = 0; i < dim; ++i)
           {
-            r[i]      = s[1 + i] / s[0];
-            motion[i] = s[4 + i] / s[0];
-            moment[i] = s[7 + i] / s[0];
-            for (unsigned int j = 0; j < 3; ++j)
-              spread[i][j] = s[10 + 3 * i + j] / s[0];
+            centre[i] = s[1 + i] / s[0];
+            motion[i] = s[at_u + i];
           }
-        moment -= cross_product_3d(r, motion);
-        spread -= outer_product(r, r);
-        Tensor<2, 3> inertia = -spread;
-        for (unsigned int i = 0; i < 3; ++i)
-          inertia[i][i] += trace(spread);
-        angles.push_back((invert(inertia) * moment).norm());
+        Tensor<1, n> moment;
+        Tensor<2, n> inertia;
+        for (unsigned int m = 0; m < n; ++m)
+          {
+            const Tensor<1, dim> turn = rigid_motion(dim + m, centre);
+            moment[m]                 = s[at_moment + m] - turn * motion;
+            for (unsigned int k = 0; k < n; ++k)
+              inertia[m][k] = s[at_inertia + n * m + k] -
+                              s[0] * (turn * rigid_motion(dim + k, centre));
+          }
+        const Tensor<1, n> omega = invert(inertia) * moment;
+        angles.push_back(n == 1 ? omega[0] : omega.norm());
       }
     return angles;
   }
 
 
 
-  template<>
-  std::vector<SpinningPiece> turning_pieces(const Discretization<3> &,
-                                            const Elasticity<3> &,
-                                            const ContactInterface<3> &)
+  template<int dim>
+  std::vector<SpinningPiece>
+  turning_pieces(const Discretization<dim>   &discretization,
+                 const Elasticity<dim>       &elasticity,
+                 const ContactInterface<dim> &interface)
   {
-    return {};
+    std::vector<SpinningPiece> turning;
+    if constexpr (dim == 2)
+      {
+        const auto corners = frictionless_corners(interface);
+        for (const RigidBodyMode &motion :
+             rigid_body_modes<dim>(discretization, nullptr))
+          {
+            const auto of_piece = corners.find(motion.piece);
+            if (motion.n < 3 || of_piece == corners.end() ||
+                has_joint(discretization, motion.piece))
+              continue;
+            const auto centre = common_centre(of_piece->second);
+            if (!centre)
+              continue;
+            SpinningPiece piece{motion.piece,
+                                rotation_about(discretization,
+                                               motion.piece,
+                                               *centre),
+                                of_piece->second.front().distance(*centre)};
+            if (does_no_work(elasticity.dead_loads.at(1), piece.rotation))
+              turning.push_back(piece);
+          }
+      }
+    return turning;
   }
 
 
 
-  template<>
-  void remove_rotations(const Discretization<3> &,
-                        const std::vector<SpinningPiece> &,
-                        GhostedVector &)
+  template<int dim>
+  void remove_rotations(const Discretization<dim>        &discretization,
+                        const std::vector<SpinningPiece> &pieces,
+                        GhostedVector                    &u)
   {
+    if (pieces.empty())
+      return;
+    const auto angles = rigid_rotations(discretization, u);
+    for (const SpinningPiece &piece : pieces)
+      for (unsigned int k = 0; k < piece.rotation.n_held(); ++k)
+        u.begin()[k] -= angles[piece.piece] * piece.rotation.begin()[k];
   }
 
 
@@ -436,15 +375,33 @@ namespace Contact
   }
 
   template std::vector<std::vector<double>>
-  rigid_modes(const Discretization<2> &discretization);
+                               rigid_modes(const Discretization<2> &);
+  template std::vector<double> rigid_rotations(const Discretization<2> &,
+                                               const GhostedVector &);
+  template std::vector<SpinningPiece>
+                turning_pieces(const Discretization<2> &,
+                               const Elasticity<2> &,
+                               const ContactInterface<2> &);
+  template void remove_rotations(const Discretization<2> &,
+                                 const std::vector<SpinningPiece> &,
+                                 GhostedVector &);
+  template void check_rotations(const Discretization<2> &,
+                                const Elasticity<2> &,
+                                const ContactInterface<2> *,
+                                const GhostedVector &);
   template std::vector<std::vector<double>>
-                rigid_modes(const Discretization<3> &discretization);
-  template void check_rotations(const Discretization<2>   &discretization,
-                                const Elasticity<2>       &elasticity,
-                                const ContactInterface<2> *interface,
-                                const GhostedVector       &u);
-  template void check_rotations(const Discretization<3>   &discretization,
-                                const Elasticity<3>       &elasticity,
-                                const ContactInterface<3> *interface,
-                                const GhostedVector       &u);
+                               rigid_modes(const Discretization<3> &);
+  template std::vector<double> rigid_rotations(const Discretization<3> &,
+                                               const GhostedVector &);
+  template std::vector<SpinningPiece>
+                turning_pieces(const Discretization<3> &,
+                               const Elasticity<3> &,
+                               const ContactInterface<3> &);
+  template void remove_rotations(const Discretization<3> &,
+                                 const std::vector<SpinningPiece> &,
+                                 GhostedVector &);
+  template void check_rotations(const Discretization<3> &,
+                                const Elasticity<3> &,
+                                const ContactInterface<3> *,
+                                const GhostedVector &);
 } // namespace Contact

@@ -26,7 +26,7 @@ namespace Contact
 
   /**
    * The rigid rotation of each piece (MeshPieces) in the linear theory, in
-   * 3-D its magnitude: the omega [rad] of the motion a + omega e_z x (X - c),
+   * 3-D its magnitude: the omega [rad] of the motion a + omega x (X - c),
    * c the centre of mass, that is closest to the displacement @p u in the mean
    * of the squares over the piece, by the corners of its cells. Collective.
    */
@@ -34,12 +34,7 @@ namespace Contact
   std::vector<double> rigid_rotations(const Discretization<dim> &discretization,
                                       const GhostedVector       &u);
 
-  template<>
-  std::vector<double> rigid_rotations(const Discretization<2> &discretization,
-                                      const GhostedVector     &u);
-  template<>
-  std::vector<double> rigid_rotations(const Discretization<3> &discretization,
-                                      const GhostedVector     &u);
+
 
   /**
    * A piece that can turn in itself: nothing but contact holds it, without
@@ -57,7 +52,8 @@ namespace Contact
     double        radius;   // of a circle that it touches on [mm]
   };
 
-  /// All such pieces. Collective.
+  /// All such pieces of bodies in 2-D; those in 3-D that can turn about an axis
+  /// or a point are not found. Collective.
   template<int dim>
   std::vector<SpinningPiece>
   turning_pieces(const Discretization<dim>   &discretization,
@@ -70,23 +66,7 @@ namespace Contact
                         const std::vector<SpinningPiece> &pieces,
                         GhostedVector                    &u);
 
-  // Pieces in 3-D that can turn about an axis or a point are not found.
-  template<>
-  std::vector<SpinningPiece> turning_pieces(const Discretization<2> &,
-                                            const Elasticity<2> &,
-                                            const ContactInterface<2> &);
-  template<>
-  std::vector<SpinningPiece> turning_pieces(const Discretization<3> &,
-                                            const Elasticity<3> &,
-                                            const ContactInterface<3> &);
-  template<>
-  void remove_rotations(const Discretization<2> &,
-                        const std::vector<SpinningPiece> &,
-                        GhostedVector &);
-  template<>
-  void remove_rotations(const Discretization<3> &,
-                        const std::vector<SpinningPiece> &,
-                        GhostedVector &);
+
 
   /**
    * Check that no piece that supports and glue leave free turns further than

@@ -16,24 +16,79 @@
 namespace Contact
 {
   SaddlePointSystem::SaddlePointSystem(
-    const Discretization<2>    &discretization,
-    const Elasticity<2>        &elasticity,
-    ContactInterface<2>        *interface,
+    const ContactModel<2>      &model,
     const ContactLinearization &linearization,
     const bool                  geometry_follows,
     const bool                  keeps_factorization,
     TimerOutput                &timer,
-    const bool                  by_umfpack)
-    : discretization(discretization)
-    , elasticity(elasticity)
-    , interface(interface)
+    const bool                  by_umfpack,
+    ConditionalOStream         *screen)
+    : model(model)
+    , discretization(*model.discretization)
+    , elasticity(*model.elasticity)
+    , interface(model.interface.get())
     , linearization(linearization)
     , geometry_follows(geometry_follows)
     , keeps_factorization(keeps_factorization)
     , by_umfpack(by_umfpack)
     , timer(timer)
+    , screen(screen)
     , solver(discretization.counters)
   {
+  }
+
+
+
+  // The step under the present status, then the search for the status that
+  // the linearised problem has.
+  unsigned int SaddlePointSystem::make_step(const Step        &step,
+                                            GhostedVector     &rhs,
+                                            IncrementState<2> &state)
+  {
+    const unsigned int n_motions =
+      interface ? interface->motions.free.size() : 0;
+    double missing = 0;
+    for (unsigned int k = 0; k < n_motions; ++k)
+      missing += std::abs(rhs[interface->motions.index(k)]) /
+                 interface->motions.free[k]->lever;
+    const bool settled = solve(state.solution,
+                               state.start,
+                               state.load_factor,
+                               step.residual,
+                               step.last_residual,
+                               searches,
+                               rhs);
+    if (screen && solver.is_indefinite_inside())
+      *screen << "      the stiffness of the bodies is not positive definite: "
+                 "factorized by UMFPACK"
+              << std::endl;
+    if (missing > step.tolerance * step.force)
+      for (unsigned int k = 0; k < n_motions; ++k)
+        if (!interface->motions.free[k]->stays)
+          interface->motions.check(*interface->motions.free[k],
+                                   rhs[interface->motions.index(k)],
+                                   missing);
+    state.solution += rhs;
+    model.discretization->project_on_rigid_motions(state.solution,
+                                                   state.load_factor);
+    model.discretization->constrain_update(state.solution, state.load_factor);
+    if (screen && !settled)
+      *screen << "      the search of the active set does not settle: the "
+                 "statuses change from step to step"
+              << std::endl;
+    searches = searches && settled;
+    return 0;
+  }
+
+
+
+  bool SaddlePointSystem::tangent_is_indefinite(const IncrementState<2> &state,
+                                                const bool may_cost)
+  {
+    was_indefinite =
+      may_cost && model.may_be_unstable() &&
+      is_indefinite(state.solution, state.start, state.load_factor);
+    return was_indefinite && !model.has_friction();
   }
 
 

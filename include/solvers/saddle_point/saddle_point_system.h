@@ -10,8 +10,8 @@
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/sparsity_pattern.h>
 
-#include "contact/interface/contact_kernel.h"
 #include "solvers/direct/linear_solver.h"
+#include "solvers/newton/linear_system.h"
 
 namespace Contact
 {
@@ -25,42 +25,56 @@ namespace Contact
    * bodies, and symmetric, see DirectSolver. See CondensedSystem for the other
    * form.
    */
-  class SaddlePointSystem
+  class SaddlePointSystem : public LinearSystem<2>
   {
   public:
-    /// @p interface may be null. @p geometry_follows: points are paired with
-    /// bodies that have moved. @p keeps_factorization: one may serve for steps
-    /// that reduce the residual well. @p linearization may change from step to
-    /// step. Phases are measured by @p timer. @p by_umfpack: it alone
-    /// factorizes, whatever the size.
-    SaddlePointSystem(const Discretization<2>    &discretization,
-                      const Elasticity<2>        &elasticity,
-                      ContactInterface<2>        *interface,
+    /// @p geometry_follows: points are paired with bodies that have moved. @p
+    /// keeps_factorization: one may serve for steps that reduce the residual
+    /// well. @p linearization may change from step to step. Phases are measured
+    /// by @p timer. @p by_umfpack: it alone factorizes, whatever the size.
+    /// Steps of Newton's method are told on the @p screen.
+    SaddlePointSystem(const ContactModel<2>      &model,
                       const ContactLinearization &linearization,
                       const bool                  geometry_follows,
                       const bool                  keeps_factorization,
                       TimerOutput                &timer,
-                      const bool                  by_umfpack = false);
+                      const bool                  by_umfpack = false,
+                      ConditionalOStream         *screen     = nullptr);
 
-    /// What factorizes a matrix of the present pattern.
-    std::string solver_name() const
+    std::string name() const override
     {
-      return solver.name();
+      return "saddle point, " + solver.name();
     }
 
-    /// Whether bodies are unstable that are held where contact can be: UMFPACK
-    /// has factorized the matrix instead.
-    bool has_unstable_bodies() const
+    bool has_multipliers() const override
     {
-      return solver.is_indefinite_inside();
+      return true;
+    }
+
+    void begin_newton() override
+    {
+      searches = true;
+    }
+
+    unsigned int make_step(const Step        &step,
+                           GhostedVector     &rhs,
+                           IncrementState<2> &state) override;
+
+    /// The tangent of the state itself is looked at, and made if need be. Under
+    /// friction its part that is not symmetric decides as well.
+    bool tangent_is_indefinite(const IncrementState<2> &state,
+                               const bool               may_cost) override;
+
+    std::string open_stability() const override
+    {
+      return was_indefinite ? friction_leaves_stability_open : "";
     }
 
     /// When a point faces another edge than before, the matrix couples other
     /// unknowns than before: a new pattern, and a new analysis in the solver.
-    void update_pattern(const bool pairing_has_changed);
+    void update_pattern(const bool pairing_has_changed) override;
 
-    /// The points are no longer those that the pattern was made for.
-    void clear_pattern();
+    void clear_pattern() override;
 
     /**
      * The Newton update under the present statuses, from minus the residual
@@ -92,6 +106,11 @@ namespace Contact
                    const GhostedVector &u_start,
                    const double         load_factor);
 
+    /// Replace the functional @p b of all unknowns by the solution of the
+    /// transposed system, which meets homogeneous constraints.
+    void solve_transposed(GhostedVector &b) const;
+
+  private:
     /// Whether there is a motion that keeps all gaps, and the places of the
     /// points that stick, to which the tangent in a state is no resistance.
     /// Where points follow the bodies, geometry is in that tangent, whatever is
@@ -100,11 +119,6 @@ namespace Contact
                        const GhostedVector &u_start,
                        const double         load_factor);
 
-    /// Replace the functional @p b of all unknowns by the solution of the
-    /// transposed system, which meets homogeneous constraints.
-    void solve_transposed(GhostedVector &b) const;
-
-  private:
     void note_unknowns_of_contact();
     bool factorization_serves(const double residual,
                               const double last_residual) const;
@@ -122,14 +136,19 @@ namespace Contact
                                      GhostedVector       &rhs_and_update);
     void add_tangent_of_linear_bodies(const GhostedVector &solution);
 
+    const ContactModel<2>      &model;
     const Discretization<2>    &discretization;
     const Elasticity<2>        &elasticity;
-    ContactInterface<2>        *interface;
+    ContactInterface<2>        *interface; // may be null
     const ContactLinearization &linearization;
     const bool                  geometry_follows;
     const bool                  keeps_factorization;
     const bool                  by_umfpack;
     TimerOutput                &timer;
+    ConditionalOStream         *screen;
+
+    bool searches       = true;
+    bool was_indefinite = false; // the tangent that was looked at last
 
     SparsityPattern      pattern;
     SparseMatrix<double> matrix;
