@@ -18,7 +18,7 @@ namespace Contact
    * increment, for the stress S = dW/dE [MPa] (or the second one of Piola and
    * Kirchhoff): W = shear part(E, history) + U(d(E)), d a measure of volume.
    * The cells put the projected P d in the place of d where they have to, see
-   * Elasticity. How to add one: include/README.md.
+   * Elasticity. How to add one: CONTRIBUTING.md.
    */
   class MaterialLaw
   {
