@@ -10,7 +10,8 @@ and in 3-D, has in its table
   pressure this by the area, to 1e-9, under names with the right units;
 - the moment of a rigid foot about its corner 120 t times half of the width, by
   symmetry, to 1e-6, in the unit of a moment;
-- the same probes as summary.json, to the last bit.
+- the same probes as summary.json, to the last bit, with the same units; this
+  names case, mesh, program and date.
 
 Usage: history.py CONTACT PARAMETERS MESHES
 """
@@ -19,6 +20,7 @@ import csv
 import json
 import math
 import pathlib
+import re
 import sys
 
 from block_scenes import Mesh, box, check, failures, run
@@ -52,6 +54,14 @@ def column(name, more, area, unit, increments):
     rows = table(name)
     check("  a row an increment", len(rows) == increments, len(rows))
     summary = json.loads(pathlib.Path(f"output/{name}/summary.json").read_text())
+    for probe in summary["probes"]:
+        check(f"  the unit of {probe['name']}",
+              f"{probe['name']} [{probe['unit']}]" in rows[0], probe["unit"])
+    check("  case, mesh, program, date",
+          summary["case"] == name and summary["mesh"] == f"{name}.msh" and
+          summary["program"].startswith("contact ") and
+          re.fullmatch(r"\d+/\d+/\d+", summary["date"]) is not None,
+          str({key: summary[key] for key in ("case", "mesh", "program", "date")}))
     group = more["Boundary conditions/Displacement y"].split(":")[0]
     for k, row in enumerate(rows):
         t = (k + 1) / increments

@@ -41,9 +41,9 @@ and what Open MPI knows.
 
 
 
-  void print_version(std::ostream &out)
+  std::string program_version()
   {
-    out << "contact " CONTACT_VERSION ", deal.II " DEAL_II_PACKAGE_VERSION "\n";
+    return "contact " CONTACT_VERSION ", deal.II " DEAL_II_PACKAGE_VERSION;
   }
 
 

@@ -26,8 +26,8 @@ namespace Contact
   /// The usage of the program.
   void print_help(std::ostream &out);
 
-  /// Print the versions of the program and of deal.II.
-  void print_version(std::ostream &out);
+  /// The versions of the program and of deal.II.
+  std::string program_version();
 
   /// Throws InputError for an unknown option, or without a file.
   CommandLine parse_command_line(const int argc, char **argv);

@@ -253,7 +253,7 @@ namespace Contact
       }
     if (first == "--version")
       {
-        print_version(std::cout);
+        std::cout << program_version() << std::endl;
         return 0;
       }
     if (first == "--parameters")

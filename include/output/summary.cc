@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "base/command_line.h"
 #include "output/accuracy.h"
 #include "output/estimated_effects.h"
 
@@ -94,6 +95,7 @@ namespace Contact
     {
       return {{"name", probe.name},
               {"value", probe.value},
+              {"unit", probe.unit},
               {"estimated_error", to_json(probe.error)},
               {"estimator", probe.error ? Json(probe.estimator) : Json()},
               {"error_is_confirmed",
@@ -219,7 +221,12 @@ namespace Contact
 
     Json to_json(const RunSummary &summary)
     {
-      Json json{{"converged", summary.converged},
+      Json json{{"case", summary.case_name},
+                {"mesh", summary.mesh_file},
+                {"program", program_version()},
+                {"date", Utilities::System::get_date()},
+                {"time_of_day", Utilities::System::get_time()},
+                {"converged", summary.converged},
                 {"interrupted", summary.interrupted},
                 {"message", summary.message},
                 {"accuracy_missed", summary.accuracy_missed},

@@ -26,7 +26,6 @@ from pathlib import Path
 import pandas
 
 # Kinds of probes that history.csv may lack: stresses are known at the end only.
-STRESSES, STRESS_UNIT = ("stress", "von", "pressure", "shear"), "MPa"
 # The units at the ends of the columns of profile.csv and nodes.csv.
 UNITS = {"_N_per_mm": "N/mm", "_MPa": "MPa", "_mm": "mm", "_N": "N",
          "_0_open_1_slip_2_stick": "0 open, 1 slip, 2 stick"}
@@ -75,15 +74,11 @@ class Results:
     @functools.cached_property
     def probes(self) -> pandas.DataFrame:
         """The probes at the end by their names: value, unit, errors."""
-        columns = ["name", "value", "estimated_error", "reference",
+        columns = ["name", "value", "unit", "estimated_error", "reference",
                    "relative_deviation", "tolerance"]
         rows = self.summary["probes"]
         table = pandas.DataFrame(rows, columns=[*columns, *(
             c for c in (rows[0] if rows else ()) if c not in columns)])
-        if "unit" not in table:
-            units = self.history.attrs["units"] if rows else {}
-            table.insert(2, "unit", [units.get(name, self._stress_unit(name))
-                                     for name in table["name"]])
         return table.set_index("name")
 
     @functools.cached_property
@@ -170,13 +165,6 @@ class Results:
             return []
         return [file.parent / piece.get("Source")
                 for piece in xml.parse(file).getroot().iter("Piece")]
-
-    def _stress_unit(self, probe: str) -> str:
-        for entry in self.parameters["Probes/Probes"].split(";"):
-            name, _, kind = entry.partition(":")
-            if name.strip() == probe and kind.strip().startswith(STRESSES):
-                return STRESS_UNIT
-        return ""
 
     def _csv(self, file: str, entry: str = "") -> pandas.DataFrame:
         path = self._file(file, entry)

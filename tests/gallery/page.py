@@ -67,16 +67,14 @@ def state(case: Results) -> str:
 
 
 def facts(case: Results) -> str:
-    """What was computed, by what: of summary.json all that is a word or a number,
-    the version among them."""
-    summary, parameters = case.summary, case.parameters
+    """What was computed, by what and when: of summary.json all that is a word or a
+    number."""
+    summary = case.summary
     # The state has these.
     told = {"converged", "interrupted", "message", "accuracy_missed"}
-    rows = {"case": case.name, "version": "not in these results",
-            "mesh": parameters.get("Mesh/File", "-")}
-    rows |= {key.replace("_", " "): value for key, value in summary.items()
-             if isinstance(value, (str, int, float)) and value != ""
-             and key not in told}
+    rows = {key.replace("_", " "): value for key, value in summary.items()
+            if isinstance(value, (str, int, float)) and value != ""
+            and key not in told}
     rows |= {f"unknowns, {name}": n for name, n in summary["unknowns"].items()}
     rows |= summary["effects"]
     rows["units"] = "mm, N, MPa"
