@@ -25,7 +25,6 @@ from pathlib import Path
 
 import pandas
 
-# Kinds of probes that history.csv may lack: stresses are known at the end only.
 # The units at the ends of the columns of profile.csv and nodes.csv.
 UNITS = {"_N_per_mm": "N/mm", "_MPa": "MPa", "_mm": "mm", "_N": "N",
          "_0_open_1_slip_2_stick": "0 open, 1 slip, 2 stick"}
