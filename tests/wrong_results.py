@@ -1180,6 +1180,10 @@ def shrunk():
                   math.sqrt(1 - nu / (1 - nu) * (stretch**2 - 1))) < 1e-6,
               f"{u} {v}")
         check("  its law is left, and a note says so", "gets softer" in said, said)
+        body = summary["bodies"]["B"]
+        check("  no stress is told where none is checked",
+              body["strain"] > 0.1 and body["von_mises"] is None and
+              body["contact_share_above_yield"] is None, str(body))
 
 
 def snap_through():

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/string_utilities.h"
 #include "solid/stress_recovery.h"
@@ -80,13 +81,18 @@ namespace Contact
   template<int dim>
   std::map<std::string, double> BodyResult<dim>::by_name() const
   {
-    return {{"plastic_strain", plastic_strain.value},
-            {"von_mises", von_mises.value},
-            {"von_mises_recovered", recovered_von_mises.value},
-            {"volume_share_above_yield", volume_share},
-            {"contact_share_above_yield", contact_share},
-            {"strain", strain.value},
-            {"shortening", shortening.value}};
+    const auto if_known = [](const bool is_known, const double value) {
+      return is_known ? value : std::numeric_limits<double>::quiet_NaN();
+    };
+    return {{"plastic_strain", if_known(has_stresses, plastic_strain.value)},
+            {"von_mises", if_known(has_stresses, von_mises.value)},
+            {"von_mises_recovered",
+             if_known(has_recovered, recovered_von_mises.value)},
+            {"volume_share_above_yield", if_known(has_stresses, volume_share)},
+            {"contact_share_above_yield",
+             if_known(contact_share >= 0, contact_share)},
+            {"strain", if_known(has_strains, strain.value)},
+            {"shortening", if_known(has_strains, shortening.value)}};
   }
 
 
@@ -114,8 +120,12 @@ namespace Contact
         if (!is_large && !may_yield)
           continue;
         BodyResult<dim> result;
-        double          volume = 0, above = 0;
-        Vector<double>  u;
+        result.has_stresses = may_yield;
+        result.has_strains  = is_large;
+        result.has_recovered =
+          is_elastic && may_yield && !vertex_stresses.empty();
+        double         volume = 0, above = 0;
+        Vector<double> u;
         for (const CellTable<dim> &cell : model.elasticity->cells())
           {
             if (cell.body != body)
@@ -153,7 +163,7 @@ namespace Contact
                   above += cell.JxW[q];
               }
           }
-        if (is_elastic && may_yield && !vertex_stresses.empty())
+        if (result.has_recovered)
           for (const auto &cell :
                model.discretization->dof_handler.active_cell_iterators())
             if (cell->is_locally_owned() && cell->material_id() == body)
