@@ -35,6 +35,7 @@ space=space_blocks,space_reversal,space_overlap,space_corner,space_sphere
 # sticking nodes on faces of the master that are bent; slave faces of degree 2 of
 # which the master covers a strip; nodes behind chords of bent faces of the master.
 # Shears on round facets that overlap, and along the normals of a flat slave.
+# Nodes in corners whose points see different nodes of the master, with friction.
 # Obstacles and bodies that yield at rest; a rigid boundary of small spin; no
 # other force than that of an obstacle.
 # Not "seal 17" any more: the seal's cap passes between the nodes of lid and floor
@@ -48,4 +49,4 @@ space=space_blocks,space_reversal,space_overlap,space_corner,space_sphere
   beam_contact 25, eccentric 15, space_corner 14, space_beam 7000,
   space_shrink 7001, space_two_on_one 7004, space_carried 9000, space_edge 9000,
   space_balls 63001, space_reversal 63002, moved 3, moved 114,
-  driven 107, rigid_end 112" "$1"
+  driven 107, rigid_end 112, labyrinth 7036, tslot 7017, tslot 7041" "$1"
