@@ -40,7 +40,7 @@ namespace Contact
     double       volume_share  = 0;
     double       contact_share = -1; // none without contact
 
-    // What is known of the body: stresses, recovered ones, strains.
+    // The kinds of results that there are: stresses, recovered ones, strains.
     bool has_stresses = false, has_recovered = false, has_strains = false;
 
     /// By name; not a number where there is no value.

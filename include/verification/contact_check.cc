@@ -171,8 +171,7 @@ namespace Contact
     // No less than the digits of a mesh file resolve.
     const auto half = [&](const double of) {
       return std::max(0.5 * of,
-                      1e-9 *
-                        contact_pair.slave.reference_length(now.slave_facet));
+                      contact_pair.slave.unresolved_length(now.slave_facet));
     };
     // Where forces act, surfaces overlap by what the mesh does not resolve: a
     // part of what the bodies have approached each other by along the way out,

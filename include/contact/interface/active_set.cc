@@ -73,8 +73,9 @@ namespace Contact
   double
   ActiveSet<dim>::pressure_of_digits(const ContactPoint<dim> &point) const
   {
-    return point.augmentation_parameter * 1e-9 *
-           interface.contact_pair(point).edge_length(point);
+    const Surface<dim> &own = interface.contact_pair(point).surface_of(point);
+    return point.augmentation_parameter *
+           own.unresolved_length(point.slave_facet);
   }
 
 
@@ -290,24 +291,26 @@ namespace Contact
                                              const GhostedVector     &solution,
                                              const GhostedVector &u_start) const
   {
-    const auto state_of = [&](const ContactPoint<dim> &of) {
-      return interface.state(of, solution, u_start);
-    };
-    const auto own_status = [&](const ContactPoint<dim> &of) {
-      const ContactState<dim> now = state_of(of);
+    const auto own_status = [&](const ContactPoint<dim> &of,
+                                const ContactState<dim> &now) {
       return updated_status(of,
                             interface.bounds.follow ? of.status
                                                     : PointStatus<dim>(),
                             now.p_trial,
                             now.q_trial);
     };
-    if (is_closed_by_noise(&point - points.data(),
-                           state_of(point).p_trial,
-                           [&](const unsigned int other) {
-                             return own_status(points[other]);
-                           }))
+    const auto status_of_other = [&](const unsigned int q) {
+      return own_status(points[q],
+                        interface.state(points[q], solution, u_start));
+    };
+    const ContactState<dim> now    = interface.state(point, solution, u_start);
+    const PointStatus<dim>  status = own_status(point, now);
+    if (status.kind != Status::open &&
+        is_closed_by_noise(&point - points.data(),
+                           now.p_trial,
+                           status_of_other))
       return {Status::open, {}};
-    return own_status(point);
+    return status;
   }
 
 

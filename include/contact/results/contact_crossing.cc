@@ -20,8 +20,8 @@ namespace Contact
 {
   namespace
   {
-    /// What a place has closest to it: of a body the facet, of an obstacle the
-    /// radius of curvature [mm].
+    /// The side that is closest to a place: of a body its facet, of an obstacle
+    /// the radius of curvature [mm].
     template<int dim>
     struct ClosestSide
     {
@@ -41,39 +41,41 @@ namespace Contact
 
 
 
-    /// What is closest to a place just before and just after the time, from 0
-    /// to 1, at which it jumps to the opposite side, or where the place is half
-    /// of the radius deep; nothing if the closest side turns continuously, or
-    /// is the same. Found by bisection of the time with @p seen_at.
+    /// The closest sides of a place just before and just after the time, from 0
+    /// to 1, at which it is inside and they become opposite ones, or where it
+    /// is half of the radius deep; nothing if the closest side turns
+    /// continuously, or is the same. Between two samples of the path the time
+    /// is found by bisection.
     template<int dim>
     std::optional<Passage<dim>>
     find_jump(const std::function<ClosestSide<dim>(const double)> &seen_at)
     {
-      Passage<dim> ends{seen_at(0), seen_at(1)};
-      double       from = 0, to = 1;
-      const double resolution = 1e-3; // of the motion
-      while (ends.first.is_opposite(ends.second))
+      const unsigned int n = 32, n_bisections = 5;
+      auto               last = seen_at(0);
+      if (!last.is_opposite(seen_at(1)))
+        return {};
+      for (unsigned int k = 1; k <= n; ++k)
         {
-          if (to - from < resolution)
+          const auto next = seen_at(1. * k / n);
+          if (next.radius > 0 && next.depth > next.radius / 2)
+            return Passage<dim>{last, next};
+          Passage<dim> ends{last, next};
+          double       from = (k - 1.) / n, to = 1. * k / n;
+          for (unsigned int bisection = 0;
+               bisection < n_bisections && ends.first.is_opposite(ends.second);
+               ++bisection)
+            {
+              const double middle     = (from + to) / 2;
+              const auto   at         = seen_at(middle);
+              const bool   is_before  = ends.first.is_opposite(at);
+              (is_before ? to : from) = middle;
+              (is_before ? ends.second : ends.first) = at;
+            }
+          if (ends.first.is_opposite(ends.second) && ends.second.depth > 0)
             return ends;
-          const double middle = (from + to) / 2;
-          const auto   at     = seen_at(middle);
-          if (at.radius > 0 && at.depth > at.radius / 2)
-            return Passage<dim>{ends.first, at};
-          const bool is_before                   = ends.first.is_opposite(at);
-          (is_before ? to : from)                = middle;
-          (is_before ? ends.second : ends.first) = at;
+          last = next;
         }
       return {};
-    }
-
-
-
-    /// What the digits of a mesh file do not resolve [mm].
-    template<int dim>
-    double digits_of(const Surface<dim> &surface)
-    {
-      return 1e-9 * surface.reference_length(0);
     }
 
 
@@ -115,7 +117,7 @@ namespace Contact
                                                           /*overhang=*/0.));
       }
 
-      /// What is closest to a node at a time.
+      /// The closest side of a node at a time.
       ClosestSide<dim> seen_at(const unsigned int node, const double time)
       {
         const auto &now     = at(time);
@@ -169,16 +171,15 @@ namespace Contact
         {
           const auto jump = find_jump<dim>(
             [&](const double time) { return paths.seen_at(i, time); });
-          if (!jump || jump->second.depth <= 0 ||
-              meet(paths.faced.facets[jump->first.closest.facet],
-                   paths.faced.facets[jump->second.closest.facet]))
+          if (!jump || meet(paths.faced.facets[jump->first.closest.facet],
+                            paths.faced.facets[jump->second.closest.facet]))
             continue;
           const auto        &now   = paths.at(1);
           const unsigned int facet = jump->first.closest.facet;
           const auto        &xi    = jump->first.closest.xi;
           const double depth = (now.position(facet, xi) - paths.place(i, 1)) *
                                now.normal(facet, xi);
-          if (depth > std::max(deepest.depth, digits_of(surface)))
+          if (depth > std::max(deepest.depth, surface.unresolved_length(0)))
             deepest = {of_master, surface.nodes[i].X, depth};
         }
     }
@@ -223,11 +224,11 @@ namespace Contact
                                     closest.normal * (closest.x - x),
                                     closest.radius};
           });
-          if (!jump || jump->second.depth <= 0)
+          if (!jump)
             continue;
           const auto   in    = obstacle.closest_point(start);
           const double depth = in.normal * (in.x - end);
-          if (depth > std::max(deepest.depth, digits_of(slave)))
+          if (depth > std::max(deepest.depth, slave.unresolved_length(0)))
             deepest = {false, slave.nodes[i].X, depth};
         }
     }

@@ -131,9 +131,9 @@ namespace Contact
 
 
 
-    /// Where the edges of a facet are closest to those of another surface: in
-    /// 3-D two edges that cross may be inside of each other there alone. In 2-D
-    /// an edge is a node.
+    /// The places of a facet where its edges are closest to those of another
+    /// surface: in 3-D two edges that cross may be inside of each other there
+    /// alone. In 2-D an edge is a node.
     std::vector<FacetPoint<3>> crossings(const DeformedSurface<3> &own,
                                          const unsigned int        facet,
                                          const DeformedSurface<3> &other)

@@ -245,6 +245,12 @@ namespace Contact
     /// edge, the shorter one of the diagonals by the root of two.
     double reference_length(const unsigned int facet) const;
 
+    /// The length that the digits of a mesh file do not resolve there [mm].
+    double unresolved_length(const unsigned int facet) const
+    {
+      return 1e-9 * reference_length(facet);
+    }
+
     /// The measure of integrals per unit of a facet's coordinates, undeformed:
     /// length [mm] or area; of rings the area [mm^2].
     template<typename Number>
