@@ -3,63 +3,21 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// @sect3{Introduction}
+// The problem, its discretization and the methods are in
+// include/tutorial/intro.dox, results and possible extensions in results.dox
+// beside it; `./run doxygen` makes pages of them and of this file.
 //
-// Two deformable bodies touch, with Coulomb friction between them. We look for
-// the displacement u of both, the contact pressure p and the shear traction q
-// on the surface where they meet, such that for all virtual displacements
-//
-//   integral S(u) : delta E(u) dX - sum over the points of contact
-//     w (p n + q t) . (delta u_slave - delta u_master) = dead loads . delta u,
-//
-//   g >= 0,  p >= 0,  p g = 0              (the bodies do not penetrate),
-//   |q| <= mu p,  and slip only where |q| = mu p, against q   (friction).
-//
-// The conditions in the last two lines are inequalities, yet not hard to solve
-// once they are written as equations: with any c > 0,
+// In short: a slave and a master surface with gap g, slip s, pressure p and
+// shear q. Contact and Coulomb's friction are equations with a kink,
 //
 //   p = max(0, lambda_n - c g),
 //   q = projection of lambda_t - c s onto [-mu p, mu p],
 //
-// lambda_n = p and lambda_t = q being the Lagrange multipliers of the gap g and
-// of the slip s. Their semismooth Newton method is the primal-dual active set
-// method of step-41 and step-42: every point of contact has a status (open,
-// stick or slip) from the signs of these expressions, a linear system is
-// solved under all statuses, and when no point changes its status we are done.
-// Here the search for the statuses happens inside the linear problem of one
-// Newton step, see ActiveSetSearch, so that few steps are needed.
-//
-// Around Newton's method there are up to five loops, and each is there only if
-// the scene asks for it:
-//
-//   levels                 nested iteration: the solution on one mesh is the
-//                          start on the next finer one;
-//     load increments      because friction depends on the history; cut in
-//                          half and tried again if they do not converge;
-//       stabilization      of a body that nothing holds before it touches, by
-//                          soft springs that give way to contact;
-//         geometry loop    which master edge faces which slave point, and with
-//                          what normal; absent if Newton's method does it;
-//           friction loop  the bound mu p is frozen: a problem of Tresca's
-//                          friction; absent without Coulomb friction, or if
-//                          Newton's method does it;
-//             Newton's method.
-//
-// The linear system of a Newton step comes in two forms. With the multipliers
-// it is a saddle point, solved by a sparse direct solver on one process: every
-// contact discretization can have it. Where the points of contact belong to one
-// slave node each (nodal and mortar discretization), the active ones can be
-// eliminated instead, in the manner of step-42: CondensedSystem, symmetric and
-// positive definite (but for friction by Newton's method), for conjugate
-// gradients with multigrid, many unknowns and several processes.
-// There the active set of step-41 and step-42 is searched from step to step,
-// which is cheap because a level starts where the one before ended; in 3-D
-// within a step, too.
-//
-// With several processes each has a part of the mesh, of the matrix and of the
-// vectors of the solution. The surfaces are small beside these, and every
-// process has them in full, with the solution on them: the statuses of the
-// points of contact are computed by all alike. See GhostedVector.
+// for a semismooth Newton method: every point of contact has a status (open,
+// stick or slip), as in the primal-dual active set method of step-41 and
+// step-42. Around it are up to five loops, from the outside to the inside:
+// levels of the mesh, load increments, stabilization of bodies that nothing
+// holds before they touch, pairing of the surfaces, and the bound of friction.
 //
 // The classes behind this file, from the bottom up: Parameters, Mesh,
 // Discretization, Elasticity (the bodies), Surface and ContactPoint (where they
@@ -68,14 +26,6 @@
 // ContactElimination), NewtonState and Pairing (Newton's method),
 // RigidBodyStabilization; then ErrorEstimator, InvariantCheck, and for the
 // results Postprocessor and Report.
-//
-// References: P. Alart and A. Curnier, Comput. Methods Appl. Mech. Engrg. 92
-// (1991) 353-375; M. Hintermueller, K. Ito and K. Kunisch, SIAM J. Optim. 13
-// (2003) 865-888; S. Hueeber and B. Wohlmuth, Comput. Methods Appl. Mech.
-// Engrg. 194 (2005) 3147-3166; A. Popp, M. W. Gee and W. A. Wall, Int. J.
-// Numer. Meth. Engng. 79 (2009) 1354-1391; the benchmark: A. W. A. Konter,
-// Advanced Finite Element Contact Benchmarks, NAFEMS 2006, and SSNP154 of
-// Code_Aster's validation manual.
 
 // @sect3{Include files}
 //
@@ -141,8 +91,6 @@ namespace Contact
     void        solve_level();
     ProbeErrors estimate_errors();
     void        solve_increment(const LoadSteps::Step &step);
-    void        check_obstacle_rotation() const;
-    bool        has_coarser_start(const LoadSteps::Step &step) const;
     void        start_from_coarser_level(const unsigned int increment);
     bool        try_again(LoadSteps             &steps,
                           const LoadSteps::Step &step,
@@ -154,8 +102,6 @@ namespace Contact
 
     // Newton's method.
     void solve_newton();
-    void check_stability();
-    void note_jump();
 
     // The effects, estimated in the last state.
     void estimate_effects();
@@ -475,8 +421,9 @@ namespace Contact
                             parameters.solution.n_increments);
     postprocessor.clear_stresses();
     report.begin_increment(levels.present(), step.increment, step.to);
-    check_obstacle_rotation();
-    if (has_coarser_start(step))
+    // Behind a cut an increment starts at the end of the last one on this mesh.
+    const bool has_coarser_start = levels.present() > 0 && step.is_whole;
+    if (has_coarser_start)
       start_from_coarser_level(step.increment);
 
     // Linear bodies take what is prescribed at once: nothing of it has to go
@@ -487,19 +434,24 @@ namespace Contact
       model.discretization->constrain_update(state.solution, state.load_factor);
     if (model.interface) // supports alone do not change
       {
+        model.interface->motions.check_rotations();
         stabilization.stabilize_free_pieces(model.interface.get());
         model.interface->active_set.activate_free_obstacles(state.solution);
       }
     stabilization.begin_increment();
-    newton.begin_increment(/*starts_elsewhere=*/has_coarser_start(step));
+    newton.begin_increment(/*starts_elsewhere=*/has_coarser_start);
 
     solve_with_stabilization();
-    if (system->has_multipliers())
-      check_stability();
+    if (system->has_multipliers()) // the condensed one looks in each step
+      {
+        if (system->tangent_is_indefinite(state, levels.may_be_last()))
+          throw NotConverged(lost_stability);
+        report.tell({{system->open_stability()}});
+      }
     if (model.interface)
       {
         model.interface->motions.place(state.solution, /*keeps_place=*/true);
-        check_obstacle_rotation();
+        model.interface->motions.check_rotations();
         check_obstacles(model.interface->pairs, state.start, state.solution);
       }
 
@@ -508,39 +460,10 @@ namespace Contact
     if (model.interface &&
         stabilization.stabilize_free_pieces(model.interface.get()))
       throw NotConverged("a body has lost the contact that held it");
-    note_jump();
+    report.tell({{newton.note_of_leap()}});
     postprocessor.record_increment();
     newton.convergence.accept();
     report.end_increment();
-  }
-
-
-
-  // @sect4{ContactProblem::check_obstacle_rotation}
-  //
-  // Slip is the straight way of the obstacle's material between two ends of an
-  // increment; in 3-D shear is off its direction by half of the angle.
-  // Rotations that follow from a moment are known at its end.
-  template<int dim>
-  void ContactProblem<dim>::check_obstacle_rotation() const
-  {
-    const unsigned int degrees = dim == 2 ? 90 : 20;
-    if (model.interface && model.interface->motions.largest_rotation() >
-                             numbers::PI / 180 * degrees)
-      throw NotConverged("an obstacle turns by more than " +
-                         std::to_string(degrees) +
-                         " degrees within the increment");
-  }
-
-
-
-  // @sect4{ContactProblem::has_coarser_start}
-  //
-  // Behind a cut an increment starts at the end of the last one on this mesh.
-  template<int dim>
-  bool ContactProblem<dim>::has_coarser_start(const LoadSteps::Step &step) const
-  {
-    return levels.present() > 0 && step.is_whole;
   }
 
 
@@ -661,9 +584,9 @@ namespace Contact
                       << model.discretization->per_thickness()
                       << ", strain energy " << energy << " N mm"
                       << model.discretization->per_thickness() << std::endl;
-        const double scale = newton.convergence.force_scale();
-        if ((hold.work <= 1e-8 * energy && hold.force <= 1e-5 * scale) ||
-            hold.force <= newton.convergence.tolerance() * scale)
+        if (hold.is_little(energy,
+                           newton.convergence.force_scale(),
+                           newton.convergence.tolerance()))
           return;
         if (iteration == max_iterations)
           stabilization.give_up(hold, iteration);
@@ -869,42 +792,6 @@ namespace Contact
         record.linear_iterations += newton.make_step();
         ++record.newton_iterations;
       }
-  }
-
-
-
-  // @sect4{ContactProblem::check_stability}
-  //
-  // Of a system with multipliers, behind all loops: what it costs is a look at
-  // the tangent of the solution.
-  template<int dim>
-  void ContactProblem<dim>::check_stability()
-  {
-    if (system->tangent_is_indefinite(state, levels.may_be_last()))
-      throw NotConverged(lost_stability);
-    report.tell({{system->open_stability()}});
-  }
-
-
-
-  // @sect4{ContactProblem::note_jump}
-  //
-  // Loads beyond what a structure carries leave it no state nearby. There may
-  // be a stable one far away, which Newton's method can find: the way to it is
-  // not one of equilibrium. Where stiffness falls slowly the ratio is below
-  // two.
-  template<int dim>
-  void ContactProblem<dim>::note_jump()
-  {
-    const double largest_leap = 5;
-    if (const double leap = newton.leap(); leap > largest_leap)
-      report.tell(
-        {{"up to the load factor " + brief(state.load_factor) +
-          " the bodies move " + brief(leap) +
-          " times as far as the tangent of the increment's start says: they may "
-          "have snapped through, or found another support. The way there is not "
-          "one of equilibrium. More increments show where it begins; prescribe "
-          "the displacement instead of the force to follow it"}});
   }
 
 

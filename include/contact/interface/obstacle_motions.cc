@@ -193,14 +193,16 @@ namespace Contact
 
 
   template<int dim>
-  double ObstacleMotions<dim>::largest_rotation() const
+  void ObstacleMotions<dim>::check_rotations() const
   {
-    double largest = 0;
+    const unsigned int degrees = dim == 2 ? 90 : 20;
     for (const auto &contact_pair : interface.pairs)
-      if (contact_pair->obstacle)
-        largest =
-          std::max(largest, contact_pair->obstacle->motion().rotation.norm());
-    return largest;
+      if (contact_pair->obstacle &&
+          contact_pair->obstacle->motion().rotation.norm() >
+            numbers::PI / 180 * degrees)
+        throw NotConverged("an obstacle turns by more than " +
+                           std::to_string(degrees) +
+                           " degrees within the increment");
   }
 
 

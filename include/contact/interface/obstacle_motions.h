@@ -66,8 +66,11 @@ namespace Contact
       return moving;
     }
 
-    /// The largest angle by which an obstacle turns in this increment [rad].
-    double largest_rotation() const;
+    /// Slip is the straight way of the obstacle's material between two ends of
+    /// an increment; in 3-D shear is off its direction by half of the angle.
+    /// Throws NotConverged where an obstacle turns by more than 90 degrees, in
+    /// 3-D by 20, within this increment.
+    void check_rotations() const;
 
     /// The obstacles are where they are in @p solution. With @p keeps_place the
     /// pairing stays that of before.

@@ -23,11 +23,11 @@ namespace Contact
 
   /**
    * The mortar discretization: one contact point per slave node, whose gap is
-   * weighted along the surface by a dual function Phi_k of the node, g_k = n_k
-   * . integral Phi_k (x_slave - x_master) ds / D_k, D_k = integral Phi_k ds,
-   * x_master being the point of the master that the slave's normal meets. The
-   * pressure is p = sum_k lambda_k Phi_k. The dual functions are biorthogonal
-   * to the shape functions of the slave,
+   * weighted along the surface by a dual function Phi_k of the node,
+   *   g_k = n_k . integral Phi_k (x_slave - x_master) ds / D_k,
+   * D_k = integral Phi_k ds, x_master being the point of the master that the
+   * slave's normal meets. The pressure is p = sum_k lambda_k Phi_k. The dual
+   * functions are biorthogonal to the shape functions of the slave,
    *   integral Phi_k N_j ds = delta_kj D_k,
    * so that of the slave side only the node k itself is in g_k, as with the
    * nodal discretization: a mortar point is a nodal point that looks at its

@@ -371,12 +371,26 @@ namespace Contact
 
 
 
+  // Loads beyond what a structure carries leave it no state nearby. There may
+  // be a stable one far away, which Newton's method can find: the way to it is
+  // not one of equilibrium. Where stiffness falls slowly the ratio is below
+  // two.
   template<int dim>
-  double NewtonState<dim>::leap() const
+  std::string NewtonState<dim>::note_of_leap() const
   {
+    const double largest_leap = 5;
     if (expected_way.value_or(0) == 0 || friction_acts())
-      return 0;
-    return state.largest_change(model, state.start) / *expected_way;
+      return "";
+    const double leap =
+      state.largest_change(model, state.start) / *expected_way;
+    if (leap <= largest_leap)
+      return "";
+    return "up to the load factor " + brief(state.load_factor) +
+           " the bodies move " + brief(leap) +
+           " times as far as the tangent of the increment's start says: they "
+           "may have snapped through, or found another support. The way there "
+           "is not one of equilibrium. More increments show where it begins; "
+           "prescribe the displacement instead of the force to follow it";
   }
 
 

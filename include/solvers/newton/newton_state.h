@@ -70,13 +70,13 @@ namespace Contact
     /// Make the next step. Returns the number of linear iterations.
     unsigned int make_step();
 
-    /// The way of the bodies in a load increment by the one that its first step
-    /// leads to expect, from the tangent of its start. Known of increments
-    /// of bodies in large displacement that move no supports, start where the
-    /// last one ended, and where no friction acts, which lets go only in the
-    /// second step; 0 in others. Collective.
-    void   begin_increment(const bool starts_elsewhere);
-    double leap() const;
+    /// The remark on bodies that went several times as far in a load increment
+    /// as its first step, with the tangent of its start, leads to expect; empty
+    /// if they did not, or where that is not known: of small displacements,
+    /// supports that move, a start that is not the end of the last increment,
+    /// and of friction, which lets go only in the second step. Collective.
+    void        begin_increment(const bool starts_elsewhere);
+    std::string note_of_leap() const;
 
     /// The points that change their status in this state, or want to, and a
     /// line on each of those that did.

@@ -71,6 +71,16 @@ namespace Contact
       unsigned int piece = 0; // the one with the most
       double       work  = 0; // [N mm per mm of thickness]
       double       force = 0; // of its springs [N per mm of thickness]
+
+      /// Whether the springs do nothing beside the bodies' strain energy and
+      /// forces, or no more than Newton's tolerance leaves.
+      bool is_little(const double energy,
+                     const double force_scale,
+                     const double tolerance) const
+      {
+        return (work <= 1e-8 * energy && force <= 1e-5 * force_scale) ||
+               force <= tolerance * force_scale;
+      }
     };
 
     Work work(const GhostedVector &solution) const;
