@@ -387,7 +387,7 @@ namespace Contact
   {
     if constexpr (dim == 2)
       if (parameters.probes.dual_weighted_residuals ||
-          parameters.asks_for_accuracy())
+          parameters.follows_goals())
         {
           GoalErrors goal_errors(parameters, model, state, report.timer);
           const auto errors  = goal_errors.estimate();
@@ -844,7 +844,7 @@ namespace Contact
         flag_all_cells(*model.mesh);
         return;
       }
-    if (parameters.asks_for_accuracy())
+    if (parameters.follows_goals())
       flag_by_indicators(model, parameters, coarser.indicators);
     else
       {

@@ -10,6 +10,8 @@ Proves that
   which it refines where the error comes from, and of triangles;
 - so it does at a corner in contact, where values converge slowly and estimates see
   the next step alone, and its error is marked there, as elsewhere it is not;
+- so it does without dual problems, in 3-D and with plastic bodies, by the values on
+  three meshes;
 - without a request the difference from a coarser mesh is marked where that is not
   coarser everywhere;
 - it ends with status 1, and says how far it got, at a limit;
@@ -64,17 +66,20 @@ mesh.block("A", 6, 3, box(-3, -3, 3, 0), {"bottom": "Base", "top": "Ground"})
 mesh.block("B", 2, 2, box(-1, 0, 1, 1),
            {"bottom": "Sole", "top": "Head", "corner": "C"})
 mesh.write("punch")
-for probe, place, limit in (("corner", "C", -0.0072505), ("middle", "M", None)):
+CORNER = -0.0072505
+SCENE = {
+    "Mesh/File": "punch.msh", "Element/Degree": 2,
+    "Solids/Young's modulus": "A: 70000, B: 210000",
+    "Solids/Poisson's ratio": "A: 0.3, B: 0.3",
+    "Solids/Kinematics": "small strain",
+    "Boundary conditions/Displacement x": "Base: 0, Head: 0",
+    "Boundary conditions/Displacement y": "Base: 0, Head: -0.01",
+    "Contact/Slave": "Sole", "Contact/Master": "Ground",
+    "Solution/Geometry": "undeformed"}
+for probe, place, limit in (("corner", "C", CORNER), ("middle", "M", None)):
     name = f"punch_{probe}"
     status, said, summary = run_scene(name, {
-        "Mesh/File": "punch.msh", "Mesh/Points": "M: 0, 0.5", "Element/Degree": 2,
-        "Solids/Young's modulus": "A: 70000, B: 210000",
-        "Solids/Poisson's ratio": "A: 0.3, B: 0.3",
-        "Solids/Kinematics": "small strain",
-        "Boundary conditions/Displacement x": "Base: 0, Head: 0",
-        "Boundary conditions/Displacement y": "Base: 0, Head: -0.01",
-        "Contact/Slave": "Sole", "Contact/Master": "Ground",
-        "Solution/Geometry": "undeformed",
+        **SCENE, "Mesh/Points": "M: 0, 0.5",
         "Probes/Probes": f"u: displacement y, {place}",
         "Probes/Accuracy": "u: 0.1 %"})
     check(f"punch, {probe}: runs", status == 0, said)
@@ -87,6 +92,33 @@ for probe, place, limit in (("corner", "C", -0.0072505), ("middle", "M", None)):
         check("  its error is marked", not result["error_is_confirmed"])
     check("  corners are named", ("corner in contact" in said) ==
           (limit is not None), said)
+
+# Without dual problems: by the values on three meshes. In 3-D the reference is Lame's
+# closed form; the punch is in elastic-plastic bodies that do not yield.
+status, said, summary = run("verification/3d/thick_spheres",
+                            "Probes/Accuracy=p(50): 1 %", "Probes/Tolerances="
+                            "u(20): 1, u(50): 1, u(100): 1, p(50): 1, U_inner: 1, "
+                            "U_outer: 1")
+check("spheres in 3-D: runs", status == 0, said)
+if status == 0:
+    result = {p["name"]: p for p in summary["probes"]}["p(50)"]
+    error = abs(result["value"] - result["reference"])
+    check("  is as accurate", error < 0.01 * abs(result["reference"]), str(result))
+    check("  says so", error <= result["estimated_error"] <
+          0.01 * abs(result["value"]), str(result))
+    check("  on three meshes, refined everywhere", all(
+        8 * a["cells"] == b["cells"] for a, b in
+        zip(summary["levels"], summary["levels"][1:])) and
+        len(summary["levels"]) >= 3)
+status, said, summary = run_scene("punch_plastic", {
+    **SCENE, "Solids/Material": "A: elastic-plastic, B: elastic-plastic",
+    "Solids/Yield stress": "A: 1e5, B: 1e5", "Mesh/Points": "M: 0, 0.5",
+    "Probes/Probes": "u: displacement y, C", "Probes/Accuracy": "u: 1 %"})
+check("punch, plastic: runs", status == 0, said)
+if status == 0:
+    result = summary["probes"][0]
+    check("  is as accurate", abs(result["value"] / CORNER - 1) < 1e-2,
+          f"{100 * (result['value'] / CORNER - 1):g} %")
 
 free = ("Probes/References=", "Probes/Tolerances=")
 status, said, summary = run("nested", "Probes/Accuracy=DY(B): 1 %", *free,

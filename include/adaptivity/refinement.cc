@@ -281,7 +281,7 @@ namespace Contact
   {
     Mesh<dim>   &mesh = *model.mesh;
     const double automatic =
-      parameters.asks_for_accuracy()
+      parameters.follows_goals()
         ? cheapest_fraction(indicators, parameters.element.degree)
         : 0.5;
     flag_cells(mesh,

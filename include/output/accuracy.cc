@@ -17,11 +17,12 @@ namespace Contact
 {
   namespace
   {
-    double seconds(const LevelRecord &level)
+    double seconds(const LevelRecord &level,
+                   double PhaseTime::*clock = &PhaseTime::wall)
     {
       double sum = 0;
       for (const auto &[phase, time] : level.time)
-        sum += time.wall;
+        sum += time.*clock;
       return sum;
     }
 
@@ -36,6 +37,19 @@ namespace Contact
       return std::log(on_fine / on_coarse) /
              std::log(static_cast<double>(fine.n_displacements) /
                       coarse.n_displacements);
+    }
+
+
+
+    /// The exponent by which the time grows with the unknowns. That of two
+    /// short runs scatters; no method here is cheaper than its unknowns, or
+    /// dearer than a sparse factorization in 2-D.
+    double rate_of_time(const LevelRecord &coarse,
+                        const LevelRecord &fine,
+                        const double       on_coarse,
+                        const double       on_fine)
+    {
+      return std::clamp(rate(coarse, fine, on_coarse, on_fine), 1., 1.5);
     }
 
 
@@ -77,24 +91,6 @@ namespace Contact
 
 
 
-    // Errors that change their sign, or grow, have no rate.
-    std::string next_digit(const std::vector<LevelRecord> &levels,
-                           const std::string              &probe)
-    {
-      if (levels.size() < 2)
-        return "";
-      const LevelRecord &fine   = levels.back();
-      const LevelRecord &coarse = levels[levels.size() - 2];
-      const double       before = coarse.errors.mesh.at(probe);
-      const double       error  = fine.errors.mesh.at(probe);
-      if (error == 0 || !(error / before > 0) || error / before >= 1)
-        return "no rate of the error yet";
-      const double growth =
-        std::pow(0.1, 1 / rate(coarse, fine, before, error));
-      const auto next = forecast(levels, growth);
-      return "the next digit costs about " + rounded(next->seconds) +
-             " s and " + rounded(next->n_displacements) + " unknowns";
-    }
   } // namespace
 
 
@@ -112,7 +108,10 @@ namespace Contact
 
     Forecast next;
     next.n_displacements = growth * fine.n_displacements;
-    next.seconds         = extrapolate(seconds(coarse), seconds(fine));
+    next.seconds =
+      seconds(fine) *
+      std::pow(growth,
+               rate_of_time(coarse, fine, seconds(coarse), seconds(fine)));
     for (const auto &[probe, error] : fine.errors.mesh)
       next.errors[probe] =
         extrapolate(std::abs(coarse.errors.mesh.at(probe)), std::abs(error));
@@ -123,6 +122,14 @@ namespace Contact
 
   namespace
   {
+    /// Whether a level has an estimated error of its own for each probe.
+    bool has_estimates(const LevelRecord &level)
+    {
+      return !level.errors.mesh.empty();
+    }
+
+
+
     /// The value of a probe on a fine mesh, as a level estimates it.
     double limit(const LevelRecord &level, const std::string &probe)
     {
@@ -147,6 +154,17 @@ namespace Contact
 
 
 
+    /// The change of a probe from the mesh before to that of the number @p k.
+    double step_to(const std::vector<LevelRecord> &levels,
+                   const unsigned int              k,
+                   const std::string              &probe)
+    {
+      return std::abs(levels[k].probes.at(probe) -
+                      levels[k - 1].probes.at(probe));
+    }
+
+
+
     /// The error of a probe on the mesh of the number @p k by its values on
     /// that and the two before, and by the values on a fine mesh that these
     /// estimate.
@@ -167,18 +185,45 @@ namespace Contact
                         on_fine(k) - value(k) +
                         rest(on_fine(k - 2), on_fine(k - 1), on_fine(k))));
     }
+  } // namespace
 
 
 
+  double error_by_values(const std::vector<LevelRecord> &levels,
+                         const unsigned int              k,
+                         const std::string              &probe)
+  {
+    if (k == 0)
+      return std::numeric_limits<double>::infinity();
+    const double step = step_to(levels, k, probe);
+    if (k == 1)
+      return step;
+    const double fastest = 1. / 8;
+    return std::max({step,
+                     fastest * step_to(levels, k - 1, probe),
+                     std::abs(rest(levels[k - 2].probes.at(probe),
+                                   levels[k - 1].probes.at(probe),
+                                   levels[k].probes.at(probe)))});
+  }
+
+
+
+  namespace
+  {
     /// Twice the estimated error of a probe, which is trusted to that factor
     /// and mostly much better; or how far its value on a fine mesh, as
     /// estimated on one level, is from that of the level before, which was less
-    /// accurate; or where the values of the last three lead to.
+    /// accurate; or where the values of the last three lead to. Without
+    /// estimates, the error by the values on at least three meshes.
     double uncertainty(const std::vector<LevelRecord> &levels,
                        const std::string              &probe)
     {
-      if (levels.size() < 2)
+      const bool         estimated = has_estimates(levels.back());
+      const unsigned int n_needed  = estimated ? 2 : 3;
+      if (levels.size() < n_needed)
         return std::numeric_limits<double>::infinity();
+      if (!estimated)
+        return error_by_values(levels, levels.size() - 1, probe);
       return std::max({2 * std::abs(levels.back().errors.mesh.at(probe)),
                        std::abs(limit(levels.back(), probe) -
                                 limit(levels[levels.size() - 2], probe)),
@@ -255,47 +300,119 @@ namespace Contact
                         const unsigned int              number,
                         const std::string              &probe)
   {
-    return number > 0 && levels[number].errors.at_corners.count(probe) == 0 &&
-           std::max(std::abs(limit(levels[number], probe) -
+    if (number == 0 || levels[number].errors.at_corners.count(probe) > 0)
+      return false;
+    if (!has_estimates(levels[number]))
+      return number > 1 && 2 * step_to(levels, number, probe) <=
+                             step_to(levels, number - 1, probe);
+    return std::max(std::abs(limit(levels[number], probe) -
                              limit(levels[number - 1], probe)),
                     drift(levels, number, probe)) <=
-             2 * std::abs(levels[number].errors.mesh.at(probe));
+           2 * std::abs(levels[number].errors.mesh.at(probe));
   }
+
+
+
+  namespace
+  {
+    /// The error of a probe on a mesh with sign, as it is estimated, or by
+    /// values.
+    double error_on(const std::vector<LevelRecord> &levels,
+                    const unsigned int              number,
+                    const std::string              &probe)
+    {
+      return has_estimates(levels[number])
+               ? levels[number].errors.mesh.at(probe)
+               : error_by_values(levels, number, probe);
+    }
+
+
+
+    // The meshes to come, if the error and the unknowns go on as from the last
+    // mesh but one to the last. Errors that change their sign, or grow, have no
+    // rate.
+    std::string next_digit(const std::vector<LevelRecord> &levels,
+                           const std::string              &probe)
+    {
+      const unsigned int last = levels.size() - 1;
+      if (last < (has_estimates(levels[last]) ? 1 : 2))
+        return "";
+      const double ratio =
+        error_on(levels, last, probe) / error_on(levels, last - 1, probe);
+      const double growth = static_cast<double>(levels[last].n_displacements) /
+                            levels[last - 1].n_displacements;
+      if (!(ratio > 0 && ratio < 1 && growth > 1))
+        return "no rate of the error yet";
+      const double now = seconds(levels[last], &PhaseTime::cpu);
+      const double time =
+        rate_of_time(levels[last - 1],
+                     levels[last],
+                     seconds(levels[last - 1], &PhaseTime::cpu),
+                     now);
+      const double n_meshes = std::ceil(std::log(0.1) / std::log(ratio));
+      double       sum      = 0;
+      for (unsigned int n = 1; n <= n_meshes; ++n)
+        sum += now * std::pow(growth, n * time);
+      return "the next digit costs about " + rounded(sum) +
+             " s of CPU time: " + rounded(n_meshes) +
+             (n_meshes > 1 ? " meshes" : " mesh") + ", the last one of " +
+             rounded(levels[last].n_displacements *
+                     std::pow(growth, n_meshes)) +
+             " unknowns";
+    }
+
+
+
+    /// The errors on all levels, and what they cost.
+    void print_levels(std::ostream                   &out,
+                      const std::vector<LevelRecord> &levels,
+                      const std::string              &probe)
+    {
+      double so_far       = 0;
+      bool   is_confirmed = true;
+      for (unsigned int k = 0; k < levels.size(); ++k)
+        {
+          const bool   known = agrees_with_last(levels, k, probe);
+          const double error = error_on(levels, k, probe);
+          is_confirmed       = is_confirmed && known;
+          so_far += seconds(levels[k]);
+          out << std::setw(12) << levels[k].n_displacements << ' '
+              << std::setw(15) << std::setprecision(8)
+              << levels[k].probes.at(probe) << "  " << std::setw(10);
+          if (std::isfinite(error))
+            out << std::scientific << std::setprecision(1) << error
+                << std::defaultfloat;
+          else
+            out << "unknown";
+          out << (known ? "  " : "? ") << std::setw(14) << std::setprecision(3)
+              << so_far << '\n';
+        }
+      if (!is_confirmed)
+        out
+          << "    ?: value and error lead elsewhere than on the mesh before, or the "
+             "values of three\n       meshes do, by more than twice this error, "
+             "or there is no mesh before\n";
+    }
+  } // namespace
 
 
 
   void print_accuracy(std::ostream &out, const RunSummary &summary)
   {
-    if (!has_errors(summary.levels))
+    if (summary.levels.size() < 2 && !has_errors(summary.levels))
       return;
     out << "Accuracy and its price:\n";
     for (const ProbeResult &probe : summary.probes)
       {
+        const bool estimated = has_estimates(summary.levels.back());
         out << "  " << probe.name << " [" << probe.unit << "]\n"
-            << "    unknowns           value  est. error  seconds so far\n";
-        double so_far       = 0;
-        bool   is_confirmed = true;
-        for (unsigned int k = 0; k < summary.levels.size(); ++k)
-          {
-            const LevelRecord &level = summary.levels[k];
-            const bool known = agrees_with_last(summary.levels, k, probe.name);
-            is_confirmed     = is_confirmed && known;
-            so_far += seconds(level);
-            out << std::setw(12) << level.n_displacements << ' '
-                << std::setw(15) << std::setprecision(8)
-                << level.probes.at(probe.name) << "  " << std::setw(10)
-                << std::scientific << std::setprecision(1)
-                << level.errors.mesh.at(probe.name) << std::defaultfloat
-                << (known ? "  " : "? ") << std::setw(14)
-                << std::setprecision(3) << so_far << '\n';
-          }
-        if (!is_confirmed)
-          out
-            << "    ?: value and error lead elsewhere than on the mesh before, or the "
-               "values of three\n       meshes do, by more than twice this error, "
-               "or there is no mesh before\n";
-        out << "    error by source: "
-            << budget(summary.levels.back(), probe.name) << '\n';
+            << "    unknowns           value  "
+            << (estimated ? "est. error" : " by values")
+            << "  seconds so far\n";
+        print_levels(out, summary.levels, probe.name);
+        if (estimated)
+          out << "    error by source: "
+              << budget(summary.levels.back(), probe.name) << '\n';
         const std::string next = next_digit(summary.levels, probe.name);
         if (!next.empty())
           out << "    " << next << '\n';

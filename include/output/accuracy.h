@@ -76,7 +76,8 @@ namespace Contact
      * or nothing. An error that is small may be so by chance, where parts of it
      * cancel: the value with its error put right has to be the same on two
      * levels, to that accuracy, and neither it nor the value may lead further
-     * by how they go on over three.
+     * by how they go on over three. Without estimates: error_by_values() on
+     * three meshes.
      */
     bool end_with(const std::vector<LevelRecord> &levels,
                   std::string                    &missed) const;
@@ -91,17 +92,28 @@ namespace Contact
 
 
 
+  /// The error of a probe on the mesh of the level @p number, its values alone
+  /// being known: the step from the mesh before, which is no less than it if an
+  /// error at least halves with that; or where the values of three meshes lead
+  /// to. A step that is less than an eighth of the one before is so by chance:
+  /// at the edge of contact solutions are no smoother than H^(5/2), and values
+  /// gain no more than h^3. Infinite on the first mesh.
+  double error_by_values(const std::vector<LevelRecord> &levels,
+                         const unsigned int              number,
+                         const std::string              &probe);
+
   /// Whether the level @p number and the one before it estimate the same limit
   /// of a probe, and the last three lead there, as far as the error of this
   /// level can tell; the first one does not, nor at a corner in contact.
+  /// Without estimates, whether steps from mesh to mesh at least halve.
   bool agrees_with_last(const std::vector<LevelRecord> &levels,
                         const unsigned int              number,
                         const std::string              &probe);
 
   /**
    * Print what the accuracy of each probe has cost: by level the unknowns, the
-   * value, its estimated error and the wall time so far; and what the next
-   * digit would cost. Nothing without estimated errors.
+   * value, its error, estimated or by values, and the wall time so far; and
+   * what the next digit would cost. Nothing of a single mesh without estimates.
    */
   void print_accuracy(std::ostream &out, const RunSummary &summary);
 } // namespace Contact

@@ -307,9 +307,16 @@ namespace Contact
     const bool is_uniform = has_become(4) || has_become(8);
     for (ProbeResult &probe : summary.probes)
       {
+        probe.estimator = "difference from a coarser level";
         probe.error = std::abs(probe.value - coarser->probes.at(probe.name));
-        probe.estimator          = "difference from a coarser level";
         probe.error_is_confirmed = is_uniform;
+        if (is_uniform && n_refinements == 1 && summary.levels.size() > 2)
+          {
+            const unsigned int last = summary.levels.size() - 1;
+            probe.error = error_by_values(summary.levels, last, probe.name);
+            probe.error_is_confirmed =
+              agrees_with_last(summary.levels, last, probe.name);
+          }
       }
   }
 

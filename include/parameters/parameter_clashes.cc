@@ -87,67 +87,86 @@ namespace Contact
 
 
 
-    // Multipliers of the dual problems are transferred by nodes.
-    void All::check_dual_problems() const
+    std::optional<EntryError>
+    All::missing_derivative(const std::string &entry) const
     {
-      const std::string entry = asks_for_accuracy()
-                                  ? "Probes/Accuracy"
-                                  : "Probes/Dual weighted residuals";
-      if (!solids.is_elastic() &&
-          (probes.dual_weighted_residuals || asks_for_accuracy()))
-        throw EntryError("Errors of probes are estimated by dual problems for "
-                         "elastic bodies alone.",
-                         {entry, "Solids/Material"},
-                         "set 'Estimate errors = true', which solves on the "
-                         "next mesh, or compare two runs");
-      if (solution.estimate_effects && n_ranks > 1)
-        throw EntryError("Effects are estimated by one process, here are " +
-                           std::to_string(n_ranks) + ".",
-                         {"Solution/Estimate effects"},
-                         "run it without mpirun, or without this entry");
-      const bool has_dual_problems =
-        probes.dual_weighted_residuals || asks_for_accuracy();
+      const std::string remedy =
+        "set 'Estimate errors = true', or compare two runs";
       for (const Contact &contact_pair : pairs())
-        if ((has_dual_problems || solution.estimate_effects) &&
-            contact_pair.has_free_motion())
-          throw EntryError(
-            "There is no dual problem for motions that follow "
-            "from forces.",
-            {has_dual_problems ? entry : "Solution/Estimate effects",
-             contact_pair.section() +
-               (contact_pair.tied ? "/Preload" : "/Obstacle force")},
-            "set 'Estimate errors = true', or compare two runs");
+        if (contact_pair.has_free_motion())
+          return EntryError("There is no dual problem for motions that follow "
+                            "from forces.",
+                            {entry,
+                             contact_pair.section() + (contact_pair.tied
+                                                         ? "/Preload"
+                                                         : "/Obstacle force")},
+                            remedy);
       for (const auto &[name, probe] : probes.definitions())
-        if ((has_dual_problems || solution.estimate_effects) &&
-            probe.quantity.name().compare(0, 8, "obstacle") == 0)
-          throw EntryError("There is no dual problem for what an obstacle "
-                           "exerts, the probe '" +
-                             name + "'.",
-                           {has_dual_problems ? entry
-                                              : "Solution/Estimate effects",
-                            "Probes/Probes"},
-                           "ask for the contact force of the slave");
-      if (!has_dual_problems)
-        return;
+        if (probe.quantity.name().compare(0, 8, "obstacle") == 0)
+          return EntryError("There is no dual problem for what an obstacle "
+                            "exerts, the probe '" +
+                              name + "'.",
+                            {entry, "Probes/Probes"},
+                            "ask for the contact force of the slave");
+      return {};
+    }
+
+
+
+    // Multipliers of the dual problems are transferred by nodes.
+    std::optional<EntryError>
+    All::missing_dual_problem(const std::string &entry) const
+    {
+      const std::string other = "set 'Estimate errors = true', which solves on "
+                                "the next mesh, or compare two runs";
+      if (in_space)
+        return EntryError("Dual problems are those of a plane mesh.",
+                          {entry},
+                          other);
+      if (!solids.is_elastic())
+        return EntryError("Dual problems are those of elastic bodies.",
+                          {entry, "Solids/Material"},
+                          other);
+      if (n_ranks > 1)
+        return EntryError("Dual problems are solved by one process, here are " +
+                            std::to_string(n_ranks) + ".",
+                          {entry},
+                          "run it without mpirun, or without this entry");
+      if (const auto shared = shared_pair())
+        return EntryError("There are no dual problems for the discretization " +
+                            shared->discretization.name() + ".",
+                          {entry, shared->section() + "/Discretization"},
+                          "set 'Discretization = mortar' or 'Discretization = "
+                          "nodal', or 'Estimate errors = true' instead");
       for (const auto &[name, probe] : probes.definitions())
         if (!has_dual_problem(probe.quantity))
-          throw EntryError("There is no dual problem for the " +
-                             probe.quantity.name() + " of the probe '" + name +
-                             "'.",
-                           {entry, "Probes/Probes"},
-                           "ask for displacements of the boundary, or set "
-                           "'Estimate errors = true' instead");
+          return EntryError("There is no dual problem for the " +
+                              probe.quantity.name() + " of the probe '" + name +
+                              "'.",
+                            {entry, "Probes/Probes"},
+                            "ask for displacements of the boundary, or set "
+                            "'Estimate errors = true' instead");
+      return missing_derivative(entry);
+    }
+
+
+
+    void All::check_dual_problems() const
+    {
+      if (probes.dual_weighted_residuals)
+        if (const auto missing =
+              missing_dual_problem("Probes/Dual weighted residuals"))
+          throw EntryError(*missing);
+      if (!solution.estimate_effects)
+        return;
+      const std::string entry = "Solution/Estimate effects";
       if (n_ranks > 1)
-        throw EntryError("Dual problems are solved by one process, here are " +
+        throw EntryError("Effects are estimated by one process, here are " +
                            std::to_string(n_ranks) + ".",
                          {entry},
                          "run it without mpirun, or without this entry");
-      if (const auto shared = shared_pair())
-        throw EntryError("There are no dual problems for the discretization " +
-                           shared->discretization.name() + ".",
-                         {entry, shared->section() + "/Discretization"},
-                         "set 'Discretization = mortar' or 'Discretization = "
-                         "nodal', or 'Estimate errors = true' instead");
+      if (const auto missing = missing_derivative(entry))
+        throw EntryError(*missing);
     }
 
 

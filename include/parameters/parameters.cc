@@ -153,8 +153,8 @@ namespace Contact
     bool All::refines_adaptively(const bool has_only_hypercubes) const
     {
       return refinement.strategy == Strategy::adaptive ||
-             (refinement.strategy == Strategy::automatic &&
-              asks_for_accuracy() && has_only_hypercubes);
+             (refinement.strategy == Strategy::automatic && follows_goals() &&
+              has_only_hypercubes);
     }
 
 

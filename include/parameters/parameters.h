@@ -86,11 +86,16 @@ namespace Contact
       /// another one.
       bool refines_adaptively(const bool has_only_hypercubes) const;
 
-      /// Whether dual problems can be solved: contact has a point for each
-      /// multiplier.
-      bool has_dual_problems() const
+      /// The reason why probes have no dual problems, as the error of the
+      /// @p entry that asks for these; none if all have one.
+      std::optional<EntryError>
+      missing_dual_problem(const std::string &entry) const;
+
+      /// Whether an accuracy is reached by dual problems, which say where the
+      /// errors come from; else by the values on three meshes.
+      bool follows_goals() const
       {
-        return !shared_pair();
+        return asks_for_accuracy() && !missing_dual_problem("Probes/Accuracy");
       }
 
       /// Whether the multipliers are eliminated from the linear system, of a
@@ -133,6 +138,10 @@ namespace Contact
       void check_obstacles() const;
       void check_points() const;
       void check_dual_problems() const;
+
+      /// What missing_dual_problem() says of effects, too.
+      std::optional<EntryError>
+           missing_derivative(const std::string &entry) const;
       void check_limits() const;
       void check_ranks() const;
       void check_saddle_point() const;

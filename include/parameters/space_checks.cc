@@ -46,13 +46,9 @@ namespace Contact::Parameters
                "the Gauss-point discretization is one for the plane",
                "take the mortar or the nodal discretization");
       }
-    refuse(asks_for_accuracy(),
-           "Probes/Accuracy",
-           "errors of probes are estimated in 2-D alone",
-           "refine with 'Refinement/Levels'");
     refuse(probes.dual_weighted_residuals,
            "Probes/Dual weighted residuals",
-           "errors of probes are estimated in 2-D alone",
+           "dual problems are those of a plane mesh",
            "set 'Estimate errors', which solves on the next mesh");
     refuse(solution.estimate_effects,
            "Solution/Estimate effects",
