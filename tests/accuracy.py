@@ -14,6 +14,7 @@ Proves that
   three meshes;
 - without a request the difference from a coarser mesh is marked where that is not
   coarser everywhere;
+- a per cent of what is zero by symmetry ends soon, with the remedy;
 - it ends with status 1, and says how far it got, at a limit;
 - its results are those of its last mesh;
 - what cannot be asked for is refused.
@@ -119,6 +120,25 @@ if status == 0:
     result = summary["probes"][0]
     check("  is as accurate", abs(result["value"] / CORNER - 1) < 1e-2,
           f"{100 * (result['value'] / CORNER - 1):g} %")
+
+status, said, summary = run_scene("zero", {
+    **SCENE, "Mesh/Points": "M: 0, 0.5", "Probes/Probes": "u: displacement x, M",
+    "Probes/Accuracy": "u: 1 %"})
+check("zero by symmetry: status 1 soon, with the remedy", status == 1 and
+      "u is zero within its error: ask for it in its unit" in said and
+      len(summary["levels"]) <= 6, said)
+
+# The pole of a roller on its line of symmetry is no corner, though the chords of its
+# arc are not perpendicular to that.
+roller = pathlib.Path(__file__).resolve().parents[2] / \
+    "shared/accuracy/corner_note/roller.prm"
+if roller.exists():
+    status, said, summary = solve(roller, "Probes/Accuracy=p: 1 %")
+    result = {p["name"]: p for p in summary["probes"]}["p"]
+    check("the pole of a roller is confirmed", status == 0 and
+          result["error_is_confirmed"] and "corner in contact" not in said, said)
+else:
+    print(f"left out: {roller} is not there")
 
 free = ("Probes/References=", "Probes/Tolerances=")
 status, said, summary = run("nested", "Probes/Accuracy=DY(B): 1 %", *free,

@@ -216,18 +216,34 @@ namespace Contact
     /// accurate; or where the values of the last three lead to. Without
     /// estimates, the error by the values on at least three meshes.
     double uncertainty(const std::vector<LevelRecord> &levels,
+                       const unsigned int              k,
                        const std::string              &probe)
     {
-      const bool         estimated = has_estimates(levels.back());
-      const unsigned int n_needed  = estimated ? 2 : 3;
-      if (levels.size() < n_needed)
+      const bool estimated = has_estimates(levels[k]);
+      if (k < (estimated ? 1 : 2))
         return std::numeric_limits<double>::infinity();
       if (!estimated)
-        return error_by_values(levels, levels.size() - 1, probe);
-      return std::max({2 * std::abs(levels.back().errors.mesh.at(probe)),
-                       std::abs(limit(levels.back(), probe) -
-                                limit(levels[levels.size() - 2], probe)),
-                       drift(levels, levels.size() - 1, probe)});
+        return error_by_values(levels, k, probe);
+      return std::max(
+        {2 * std::abs(levels[k].errors.mesh.at(probe)),
+         std::abs(limit(levels[k], probe) - limit(levels[k - 1], probe)),
+         drift(levels, k, probe)});
+    }
+
+
+
+    /// Whether a probe was zero within its error on the last three meshes.
+    bool vanishes(const std::vector<LevelRecord> &levels,
+                  const std::string              &probe)
+    {
+      const unsigned int n_meshes = 3;
+      if (levels.size() <= n_meshes)
+        return false;
+      for (unsigned int k = levels.size() - n_meshes; k < levels.size(); ++k)
+        if (std::abs(levels[k].probes.at(probe)) >
+            std::max(uncertainty(levels, k, probe), step_to(levels, k, probe)))
+          return false;
+      return true;
     }
   } // namespace
 
@@ -238,7 +254,7 @@ namespace Contact
     std::string inaccurate;
     for (const auto &[name, request] : parameters.probes.requests())
       {
-        const double error    = uncertainty(levels, name);
+        const double error    = uncertainty(levels, levels.size() - 1, name);
         const double accepted = request.error_of(levels.back().probes.at(name));
         if (!(error <= accepted))
           inaccurate += (inaccurate.empty() ? "" : "; ") + name + " to " +
@@ -287,6 +303,14 @@ namespace Contact
     const std::string probes = inaccurate(levels);
     if (probes.empty())
       return true;
+    for (const auto &[name, request] : parameters.probes.requests())
+      if (request.is_relative() && vanishes(levels, name))
+        {
+          missed = "the accuracy is not reached: " + name +
+                   " is zero within its error: ask for it in its unit, not in "
+                   "% of the value";
+          return true;
+        }
     const std::string limit = broken_limit(levels);
     if (limit.empty())
       return false;

@@ -77,7 +77,8 @@ namespace Contact
      * cancel: the value with its error put right has to be the same on two
      * levels, to that accuracy, and neither it nor the value may lead further
      * by how they go on over three. Without estimates: error_by_values() on
-     * three meshes.
+     * three meshes. A part of a probe that is zero within its error on three
+     * meshes is never reached.
      */
     bool end_with(const std::vector<LevelRecord> &levels,
                   std::string                    &missed) const;

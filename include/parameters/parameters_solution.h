@@ -132,10 +132,16 @@ namespace Contact
         double      value;
         std::string unit;
 
+        /// Whether it is a part of the probe.
+        bool is_relative() const
+        {
+          return unit == "%";
+        }
+
         /// The error that is accepted of a probe with this value.
         double error_of(const double probe) const
         {
-          return unit == "%" ? value / 100 * std::abs(probe) : value;
+          return is_relative() ? value / 100 * std::abs(probe) : value;
         }
       };
 

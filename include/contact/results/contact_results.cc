@@ -344,8 +344,7 @@ namespace Contact
   bool is_at_corner(const ContactInterface<2> &interface,
                     const NodeDoFs<2>         &node)
   {
-    const double round_off = 1e-8;
-    const auto   ends_at   = [&](const Surface<2>  &surface,
+    const auto ends_at = [&](const Surface<2>  &surface,
                              const unsigned int e,
                              const unsigned int n) {
       const SurfaceFacet<2> &edge = surface.facets[e];
@@ -357,7 +356,7 @@ namespace Contact
       return edge.corner[a] ||
              (edge.ends_surface(a) &&
               interface.discretization.free_part(node, along / along.norm())
-                  .norm() > round_off);
+                  .norm() > Surface<2>::sine_of_smooth_slant());
     };
     for (const auto &contact_pair : interface.pairs)
       for (const Surface<2> *surface :

@@ -102,7 +102,9 @@ namespace Contact
                                const GhostedVector                 &u_start);
 
   /// Whether a node is where a surface has a corner, or ends, and touches:
-  /// there stresses are singular. The end at a line of symmetry is none.
+  /// there stresses are singular. The end at a line of symmetry is none where
+  /// the surface and its mirror image have none, see
+  /// Surface::sine_of_smooth_slant().
   bool is_at_corner(const ContactInterface<2> &interface,
                     const NodeDoFs<2>         &node);
 } // namespace Contact
