@@ -127,6 +127,14 @@ namespace Contact
                                               : "Solution/Estimate effects",
                             "Probes/Probes"},
                            "ask for the contact force of the slave");
+      for (const auto &[name, probe] : probes.definitions())
+        if (solution.estimate_effects &&
+            probe.quantity.name().compare(0, 7, "support") == 0)
+          throw EntryError("There is no dual problem for the force of supports "
+                           "alone, the probe '" +
+                             name + "'.",
+                           {"Solution/Estimate effects", "Probes/Probes"},
+                           "ask for the reaction");
       if (!has_dual_problems)
         return;
       for (const auto &[name, probe] : probes.definitions())
