@@ -154,7 +154,7 @@ def check_stress(grid):
                for i in range(grid.GetNumberOfCells()) for k in range(8)}
     worst = 0.0
     for i in corners:
-        x, y, z, xy, yz, xz = stress.GetTuple(i)
+        x, xy, xz, _, y, yz, _, _, z = stress.GetTuple(i)
         square = ((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2) / 2 \
             + 3 * (xy ** 2 + xz ** 2 + yz ** 2)
         worst = max(worst, abs(math.sqrt(square) - mises.GetValue(i)))

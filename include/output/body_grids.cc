@@ -8,8 +8,6 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 
-#include <array>
-
 #include "solid/stress_recovery.h"
 
 namespace Contact
@@ -105,7 +103,7 @@ namespace Contact
   {
     VtuGrid grid;
     grid.at_points = {{"displacement", "mm", 3, {}},
-                      {"stress", "MPa", 6, {}},
+                      {"stress", "MPa", 9, {}},
                       {"von_mises", "MPa", 1, {}}};
     if (forces.size() > 0)
       grid.at_points.push_back(
@@ -196,13 +194,9 @@ namespace Contact
       ++field;
     };
     add_vector(displacement);
-    for (const auto [i, j] : {std::array<unsigned int, 2>{{0, 0}},
-                              {{1, 1}},
-                              {{2, 2}},
-                              {{0, 1}},
-                              {{1, 2}},
-                              {{0, 2}}})
-      field->values.push_back(stress[i][j]);
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        field->values.push_back(stress[i][j]);
     (++field)->values.push_back(von_mises(stress));
     ++field;
     if (forces.size() > 0)

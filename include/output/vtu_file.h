@@ -18,7 +18,7 @@ namespace Contact
   using namespace dealii;
 
   /// Values at points or of cells, all components of the first one first: of a
-  /// vector 3, of a symmetric tensor 6, xx, yy, zz, xy, yz, xz.
+  /// vector 3, of a tensor 9, row by row.
   struct VtuField
   {
     std::string        name;

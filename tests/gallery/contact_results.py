@@ -29,8 +29,9 @@ import pandas
 UNITS = {"_N_per_mm": "N/mm", "_MPa": "MPa", "_mm": "mm", "_N": "N",
          "_0_open_1_slip_2_stick": "0 open, 1 slip, 2 stick"}
 
-# Of vectors, and of symmetric tensors as VTK has them.
-COMPONENTS = {3: "xyz", 6: ("xx", "yy", "zz", "xy", "yz", "xz")}
+# Of vectors, and of symmetric tensors, which have all nine: where each is.
+COMPONENTS = {3: {"x": 0, "y": 1, "z": 2},
+              9: {"xx": 0, "yy": 4, "zz": 8, "xy": 1, "yz": 5, "xz": 2}}
 
 
 class Results:
@@ -138,8 +139,8 @@ class Results:
         for i in range(data.GetNumberOfArrays()):
             values, name = vtk_to_numpy(data.GetArray(i)), data.GetArrayName(i)
             columns |= ({name: values} if values.ndim == 1 else
-                        {f"{name}_{d}": v for d, v in zip(
-                            COMPONENTS[values.shape[1]], values.T)})
+                        {f"{name}_{d}": values[:, c] for d, c in
+                         COMPONENTS[values.shape[1]].items()})
         return pandas.DataFrame(columns)
 
     def _read(self, series: str, file: Path):

@@ -68,7 +68,7 @@ def unmoved_grid(case: Path, name: str, time=1.0):
     grid = Results(case).grid(name, time)
     data = grid.GetPointData()
     if stress := data.GetArray("stress"):
-        for c, component in enumerate(COMPONENTS[6]):
+        for component, c in COMPONENTS[9].items():
             array = vtkFloatArray()
             array.SetName(f"stress_{component}")
             array.SetNumberOfTuples(stress.GetNumberOfTuples())
