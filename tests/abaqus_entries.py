@@ -77,7 +77,7 @@ CASE = """# Written by meshes/convert.py from all.inp
 # left out: *FRICTION, line 72: TAUMAX: friction is one number, Contact/Friction coefficient
 # left out: *CONTACT PAIR, line 74: ADJUST: no such entry; surfaces are where they are drawn, and slide as far as they do
 # left out: *OUTPUT, line 87: see the sections Output and Probes
-# left out: *NODE OUTPUT, line 88: see the sections Output and Probes
+# left out: *NODE OUTPUT, line 88: U: see the sections Output and Probes
 # left out: *DSLOAD, line 99: a pressure that turns with its surface: it keeps the normal of the undeformed one
 # left out: *DLOAD, line 101: a pressure that turns with its surface: it keeps the normal of the undeformed one
 # left out: *EL PRINT, line 102: see the sections Output and Probes
@@ -116,6 +116,10 @@ end
 
 subsection Solution
   set Increments = 16
+end
+
+subsection Probes
+  set Probes = support x Low_y0: support x, Low_y0; support y Low_y0: support y, Low_y0; contact force x Low_y1_face: contact force x, Low_y1_face; contact force y Low_y1_face: contact force y, Low_y1_face
 end
 
 subsection Output
@@ -169,6 +173,20 @@ def entries():
     check("what is left out is on the screen", done.stdout.startswith(said), said)
     status, said, _ = solve(pathlib.Path("all.prm"))
     check("the case runs", status == 0, said)
+
+    asked = ALL.format(tip=low.label[4, 4]).replace(
+        "*EL PRINT\nS\n", "*NODE PRINT, NSET=Low_y0\nRF2, S\n"
+        f"*NSET, NSET=Tip\n{low.label[4, 4]}\n*NODE PRINT, NSET=Tip\nU\n")
+    done = convert("asked", low.text() + asked)
+    status, said, summary = solve(pathlib.Path("asked.prm"))
+    found = {p["name"]: p["value"] for p in summary["probes"]}
+    last = summary["increments"][-1]["reactions"]["Low_y0"]
+    check("what *NODE PRINT asks for is probed", status == 0 and list(found) == [
+        "support y Low_y0", "displacement x Tip", "displacement y Tip",
+        "contact force x Low_y1_face", "contact force y Low_y1_face"] and
+        abs(found["support y Low_y0"] / last["y"] - 1) < 1e-9, (said, found))
+    check("and what else it asks for is left out", "RF" not in done.stdout and
+          "*NODE PRINT, line 102: S: see the sections" in done.stdout, done.stdout)
 
     bare = PLATE.replace("*SOLID SECTION, ELSET=Plate, MATERIAL=Steel\n", "")
     convert("bare", bare + "*STEP\n*STATIC\n")

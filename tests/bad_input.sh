@@ -82,6 +82,15 @@ expect_entry "Friction coefficient" "Contact/Friction coefficient=-0.1"
 expect_entry "Degree" "Element/Degree=3"
 expect_entry "Increments" "Solution/Increments=0"
 expect_entry "Centre node" "Element/Centre node=free"
+expect_entry "such as 'N': they are in N per mm of thickness" \
+  "Boundary conditions/Force y=Force: -100 N"
+expect_entry "such as 'GPa': they are in MPa" \
+  "Solids/Young's modulus=Block: 70 GPa, Cylinder: 210000"
+expect_entry "such as 'MPa'" "Boundary conditions/Pressure=Top_B: 25 MPa"
+expect_entry "write if(condition, a, b)" \
+  "Boundary conditions/Histories=Force y: t<0.5?0:1"
+expect_entry "'Cylindre': write the name of the mesh in both" \
+  "Solids/Poisson's ratio=Block: 0.3, Cylindre: 0.3"
 expect "no parameter file" "$scratch/missing.prm"
 expect "option" "$good" --sett
 

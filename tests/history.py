@@ -13,6 +13,10 @@ and in 3-D, has in its table
 - the same probes as summary.json, to the last bit, with the same units; this
   names case, mesh, program and date.
 
+And of a block that is dragged along its support, probes in the order of the file in
+all results; the force of the support alone is minus that of the obstacle, to 1e-9,
+where the reaction has friction of the nodes that it holds as well.
+
 Usage: history.py CONTACT PARAMETERS MESHES
 """
 
@@ -80,7 +84,7 @@ def column(name, more, area, unit, increments):
 
 plane = Mesh()
 plane.block("A", 8, 4, box(0, 0, WIDTH, HEIGHT),
-            {"bottom": "Bottom", "top": "Top", "corner": "C"})
+            {"bottom": "Bottom", "top": "Top", "left": "Left", "corner": "C"})
 plane.write("plane")
 plane.write("ring")
 space = Volumes()
@@ -112,5 +116,29 @@ for k, row in enumerate(table("foot")):
     moment = float(row["reaction Bottom moment z [N mm/mm]"])
     wanted = FORCE * (k + 1) / 2 * WIDTH / 2
     check("  its moment", abs(moment - wanted) < 1e-6 * wanted, moment)
+
+status, said, summary = run("dragged", {
+    "Mesh/File": "plane.msh", **MATERIAL,
+    "Boundary conditions/Displacement x": "Left: 0",
+    "Boundary conditions/Displacement y": "Bottom: 0",
+    "Contact/Slave": "Top", "Contact/Obstacle": PLANE,
+    "Contact/Friction coefficient": 0.3,
+    "Contact/Obstacle motion": "y: -0.02*min(1, 2*t); x: 0.04*max(0, 2*t - 1)",
+    "Probes/Probes": "support: support x, Left; all: reaction x, Left; "
+                     "drag: obstacle force x, Contact",
+    "Solution/Increments": 4})
+check("dragged: converges", status == 0, said[-300:])
+names, last = ["support", "all", "drag"], summary["increments"][-1]
+check("  probes in the order of the file", all(list(found) == names for found in (
+    [p["name"] for p in summary["probes"]], last["probes"],
+    summary["levels"][-1]["probes"],
+    [c.split(" [")[0] for c in table("dragged")[0]][2:5])) and
+    re.findall(r"^dragged .*?\| (\w+) \[", said, re.M) == names, said)
+probes = last["probes"]
+near("  the support holds the drag", probes["support"], -probes["drag"])
+near("  reactions of summary.json", probes["support"],
+     last["reactions"]["Left"]["x"])
+check("  the reaction is another force",
+      abs(probes["all"] / probes["support"] - 1) > 0.01, str(probes))
 print(len(failures), "failures")
 sys.exit(bool(failures))

@@ -112,9 +112,9 @@ found = probes(run("rubber2", rubber, "Refinement/Levels=2", ranks=2)[0])
 check("rubber on two processes", difference(found, of_rubber) < 1e-6,
       difference(found, of_rubber))
 for case, ranks, piece, expected in (
-        (tube, 1, "bodies_0003.vtu", base),
-        (tube, 2, "bodies_0003.0000.vtu", base),
-        (rubber, 1, "bodies_0003.vtu", of_rubber)):
+        (tube, 1, "bodies_0003_0.vtu", base),
+        (tube, 2, "bodies_0003_0.0000.vtu", base),
+        (rubber, 1, "bodies_0003_0.vtu", of_rubber)):
     name = f"restart{ranks}"
     directory = pathlib.Path(name) / case.stem
     directory.mkdir(parents=True, exist_ok=True)

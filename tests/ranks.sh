@@ -44,13 +44,13 @@ starts() {
 
 # pieces DIRECTORY RANKS: whether each process has written its part
 pieces() {
-  last=$1/bodies_0002
+  last=$1/bodies_0002_0
   if [ "$2" -eq 1 ]; then
     [ -s "$last.vtu" ]
   else
-    [ -s "$last.pvtu" ] && [ "$(find "$1" -name 'bodies_0002.*.vtu' \
-      -size +0 | wc -l)" -eq "$2" ]
-  fi && [ -s "$1/contact_0002.vtu" ]
+    [ -s "$last.pvtu" ] && [ "$(find "$1" -name 'bodies_0002_*.*.vtu' \
+      -size +0 | sed 's/.*_[0-9]*[.]//' | sort -u | wc -l)" -eq "$2" ]
+  fi && [ -s "$1/contact_0002_0.vtu" ]
 }
 
 # held SUMMARY: the largest share of the displacements on a process

@@ -59,8 +59,8 @@ send() {
   for _ in 1 2 3 4 5; do
     start "$2"
     until [ -e "$2.ended" ]; do
-      if { [ -e "$2/$name/bodies_0002.vtu" ] ||
-           [ -e "$2/$name/bodies_0002.pvtu" ]; } &&
+      if { [ -e "$2/$name/bodies_0002_0.vtu" ] ||
+           [ -e "$2/$name/bodies_0002_0.pvtu" ]; } &&
          [ -e "$2/$name/restart.bin" ]; then
         # shellcheck disable=SC2046 # two of mpirun, which would be slower
         kill "-$1" $(pgrep -P $pid -x contact ||
@@ -139,7 +139,7 @@ everything TERM KILL
 # The results of the fifth increment meet a full disk.
 echo "$name, full disk:"
 mkdir -p "full/$name"
-ln -s /dev/full "full/$name/bodies_0005.vtu.part"
+ln -s /dev/full "full/$name/bodies_0005_0.vtu.part"
 status=0
 run full || status=$?
 [ "$status" -eq 2 ] || fail "full disk: exit status $status instead of 2"

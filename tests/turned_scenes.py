@@ -107,7 +107,7 @@ def on_an_obstacle():
         with subprocess.Popen(command, stdout=subprocess.DEVNULL,
                               stderr=subprocess.DEVNULL) as process:
             while (ends and process.poll() is None and
-                   not (results / "bodies_0045.vtu").exists()):
+                   not (results / "bodies_0045_0.vtu").exists()):
                 time.sleep(0.002)
             if ends:
                 process.terminate()

@@ -6,8 +6,11 @@ Proves of linear and quadratic elements, on one process and on two, that VTK's
 own readers open the series of the bodies and of the contact surface without a
 complaint and find
 
-- the arrays that the program promises, with their components, all finite; the
+- the arrays that the program promises, at points and of cells, with their
+  components, all finite; the
   von Mises stress as the components of the stress have it;
+- a part with its name for each body, whose cells share their points: as many as
+  there are nodes;
 - cells of the degree of the elements, as many as the program has computed with,
   none of them inverted, and of quadratic ones the area of the round boundary;
 - the points inside of the box of the mesh, those of the slave on its arc;
@@ -28,21 +31,21 @@ import xml.etree.ElementTree as xml
 try:
     from vtkmodules.vtkCommonCore import reference
     from vtkmodules.vtkCommonDataModel import (
-        VTK_LAGRANGE_QUADRILATERAL, VTK_LAGRANGE_TRIANGLE, VTK_LINE, VTK_QUAD,
+        VTK_BIQUADRATIC_QUAD, VTK_LINE, VTK_QUAD, VTK_QUADRATIC_TRIANGLE,
         VTK_TRIANGLE)
+    from vtkmodules.vtkFiltersCore import vtkAppendFilter
     from vtkmodules.vtkIOXML import (vtkXMLPUnstructuredGridReader,
                                      vtkXMLUnstructuredGridReader)
 except ImportError as missing:
     print(f"skipped: {missing}; apt-get install python3-vtk9")
     sys.exit(0)
 
-BODY_ARRAYS = {"displacement": 3, "contact_force": 3, "stress_xx": 1, "stress_yy": 1,
-               "stress_zz": 1, "stress_xy": 1, "von_mises": 1,
-               "body": 1, "converged": 1}
+BODY_ARRAYS = {"displacement": 3, "contact_force": 3, "stress": 9, "von_mises": 1}
+CELL_ARRAYS = {"body": 1, "level": 1, "process": 1}
 CONTACT_ARRAYS = {"displacement": 3, "pressure": 1, "shear": 1, "gap": 1,
                   "slip": 1, "status": 1}
 TYPES = {1: {VTK_QUAD, VTK_TRIANGLE},
-         2: {VTK_LAGRANGE_QUADRILATERAL, VTK_LAGRANGE_TRIANGLE}}
+         2: {VTK_BIQUADRATIC_QUAD, VTK_QUADRATIC_TRIANGLE}}
 
 # Single precision has 6e-8; a formula of several numbers loses some of it.
 SINGLE = 2e-6
@@ -92,16 +95,24 @@ def read(path):
 
 
 def series(directory, name, increments):
-    """The grids of NAME.pvd, whose times are those of the summary."""
+    """The grids of NAME.pvd, all parts of an increment in one, whose times are
+    those of the summary; and the names of the parts."""
     sets = xml.parse(directory / f"{name}.pvd").findall(".//DataSet")
-    times = [float(s.get("timestep")) for s in sets]
+    times = [float(s.get("timestep")) for s in sets if s.get("part") == "0"]
     check(f"times of {name}.pvd", times == increments, f"{times}")
-    grids = [read(directory / s.get("file")) for s in sets]
-    for grid, time in zip(grids, times):
+    together = []
+    for s in sets:
+        grid, time = read(directory / s.get("file")), float(s.get("timestep"))
         field = grid.GetFieldData().GetArray("TIME")
         if field:  # a .pvtu file has none
             check("TIME", near(field.GetValue(0), time), field.GetValue(0))
-    return grids
+        if s.get("part") == "0":
+            together.append(vtkAppendFilter())
+        together[-1].AddInputData(grid)
+    for append in together:
+        append.Update()
+    return [append.GetOutput() for append in together], \
+        [s.get("name") for s in sets][:len(sets) // len(times)]
 
 
 def check_arrays(data, expected):
@@ -144,9 +155,25 @@ def determinants(cell):
 
 
 def body_of(grid, i):
-    """Of a cell: that of its points, which no other cell has."""
-    point = grid.GetCell(i).GetPointId(0)
-    return int(grid.GetPointData().GetArray("body").GetValue(point))
+    return int(grid.GetCellData().GetArray("body").GetValue(i))
+
+
+def check_shared(grid, n_ranks):
+    """No two points of a body and process are at one place, but where a face
+    hangs: its nodes are those of both sides."""
+    process = grid.GetCellData().GetArray("process")
+    check("processes", {int(process.GetValue(i)) for i in
+                        range(grid.GetNumberOfCells())} == set(range(n_ranks)))
+    places = {}
+    for i in range(grid.GetNumberOfCells()):
+        cell = grid.GetCell(i)
+        for k in range(cell.GetNumberOfPoints()):
+            point = cell.GetPointId(k)
+            key = body_of(grid, i), process.GetValue(i), grid.GetPoint(point)
+            places.setdefault(key, set()).add(point)
+    level = grid.GetCellData().GetArray("level").GetRange()
+    check("points are shared", max(map(len, places.values())) <= 1 +
+          (level[0] < level[1]))
 
 
 def check_cells(grid, degree, n_cells):
@@ -166,16 +193,16 @@ def check_cells(grid, degree, n_cells):
 
 def check_stress(grid):
     data = grid.GetPointData()
-    xx, yy, zz, xy, mises = (data.GetArray(name) for name in (
-        "stress_xx", "stress_yy", "stress_zz", "stress_xy", "von_mises"))
+    stress, mises = data.GetArray("stress"), data.GetArray("von_mises")
     largest = mises.GetRange()[1]
     check("there is a stress", largest > 0 and mises.GetRange()[0] >= 0,
           mises.GetRange())
     worst = 0.0
     for i in range(grid.GetNumberOfPoints()):
-        x, y, z = xx.GetValue(i), yy.GetValue(i), zz.GetValue(i)
+        x, xy, xz, yx, y, yz, zx, zy, z = stress.GetTuple(i)
+        check("the stress is symmetric", (xy, yz, xz) == (yx, zy, zx))
         square = ((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2) / 2 \
-            + 3 * xy.GetValue(i) ** 2
+            + 3 * (xy ** 2 + yz ** 2 + xz ** 2)
         worst = max(worst, abs(math.sqrt(square) - mises.GetValue(i)))
     check("von Mises", worst <= SINGLE * largest, worst)
 
@@ -199,17 +226,18 @@ def check_probes(grid, probes):
     check("B is there", at_b)
     for i in at_b:
         u = data.GetArray("displacement").GetComponent(i, 1)
-        stress = data.GetArray("stress_yy").GetValue(i)
+        stress = data.GetArray("stress").GetComponent(i, 4)
         check("DY(B)", near(u, probes["DY(B)"]), u)
         check("SIYY(B)", near(stress, probes["SIYY(B)"]), stress)
 
 
-def check_bodies(grid, degree, summary, nodes):
+def check_bodies(grid, degree, summary, nodes, n_ranks):
     """Returns the areas of the bodies."""
     check_arrays(grid.GetPointData(), BODY_ARRAYS)
-    for name, expected in (("converged", (1, 1)), ("body", (0, 1))):
-        found = grid.GetPointData().GetArray(name).GetRange()
-        check(name, found == expected, found)
+    check_arrays(grid.GetCellData(), CELL_ARRAYS)
+    found = grid.GetCellData().GetArray("body").GetRange()
+    check("body", found == (0, 1), found)
+    check_shared(grid, n_ranks)
     areas = check_cells(grid, degree, summary["levels"][-1]["cells"])
     check_stress(grid)
     check_box(grid, nodes)
@@ -257,11 +285,14 @@ def check_case(contact, case, mesh, degree, n_ranks=1, **settings):
             if i["level"] == summary["increments"][-1]["level"]]
     times = [i["load_factor"] for i in last]
     nodes = list(mesh_nodes(mesh))
-    bodies = series(directory, "bodies", times)
+    bodies, names = series(directory, "bodies", times)
+    check("names", names == ["Block", "Cylinder"], names)
     for grid in bodies:
-        areas = check_bodies(grid, degree, summary, nodes)
+        areas = check_bodies(grid, degree, summary, nodes, n_ranks)
     check_probes(bodies[-1], {p["name"]: p["value"] for p in summary["probes"]})
-    check_contact(series(directory, "contact", times)[-1], summary)
+    contact_grids, names = series(directory, "contact", times)
+    check("names", names == ["Contact"], names)
+    check_contact(contact_grids[-1], summary)
     return areas
 
 

@@ -82,12 +82,12 @@ namespace Contact
                            VariantModel       &other,
                            EffectEstimate     &estimate) const;
 
-    const Parameters::All                                      &parameters;
-    ContactModel<2>                                            &model;
-    const IncrementState<2>                                    &state;
-    const StressPeaks<2>                                       &peaks;
-    TimerOutput                                                &timer;
-    const std::map<std::string, Parameters::Probes::Definition> probes;
+    const Parameters::All                &parameters;
+    ContactModel<2>                      &model;
+    const IncrementState<2>              &state;
+    const StressPeaks<2>                 &peaks;
+    TimerOutput                          &timer;
+    const Parameters::Probes::Definitions probes;
 
     /// The scene at the end of all loops, and as if one increment were the
     /// whole way; none if that is not to be had.

@@ -83,12 +83,12 @@ namespace Contact
                                                const GhostedVector &functional,
                                                const GhostedVector &relaxed) const;
 
-    const Parameters::All                  &parameters;
-    ContactModel<2>                        &model;
-    const IncrementState<2>                &state;
-    TimerOutput                            &timer;
-    const std::map<std::string, Definition> probes;
-    const ContactLinearization              linearization;
+    const Parameters::All                &parameters;
+    ContactModel<2>                      &model;
+    const IncrementState<2>              &state;
+    TimerOutput                          &timer;
+    const Parameters::Probes::Definitions probes;
+    const ContactLinearization            linearization;
 
     Vector<float> cell_indicators;
 

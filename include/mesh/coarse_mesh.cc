@@ -302,12 +302,11 @@ namespace Contact
                 edge.push_back(vertex->second);
             std::sort(edge.begin(), edge.end());
             if (edges.count(edge) == 0)
-              throw InputError("a line of the physical group '" +
-                                 *element.groups.begin() +
-                                 "' is no edge of a cell on the boundary",
-                               msh.where(element),
-                               "mesh the curve and the volume together, or "
-                               "take the curve out of its group");
+              {
+                coarse.inner_curves.insert(element.groups.begin(),
+                                           element.groups.end());
+                continue;
+              }
             CellData<1> data;
             data.vertices = edge;
             data.boundary_id =
@@ -317,6 +316,8 @@ namespace Contact
             for (const std::string &group : element.groups)
               coarse.curves[group].insert(data.boundary_id);
           }
+      for (const std::string &group : coarse.inner_curves)
+        coarse.curves.erase(group);
     }
 
 

@@ -38,8 +38,9 @@ namespace Contact
     std::map<std::string, std::set<types::boundary_id>> curves; // in 3-D
     std::map<std::string, unsigned int>                 points;
 
-    /// The groups that have faces inside of bodies.
-    std::set<std::string> with_inner_faces;
+    /// The groups that have faces inside of bodies, and in 3-D those of lines
+    /// that are not all on the boundary: they are no curves.
+    std::set<std::string> with_inner_faces, inner_curves;
   };
 
   /// Throws InputError, where cells are tangled, overlap or have no body, or

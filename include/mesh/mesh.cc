@@ -282,6 +282,7 @@ namespace Contact
     curves                 = coarse.curves;
     points                 = coarse.points;
     with_inner_faces       = coarse.with_inner_faces;
+    inner_curves           = coarse.inner_curves;
     name_points(parameters, placement, coarse, *this);
     place_vertices(placement, msh, coarse);
     order_cells(coarse.cells);
@@ -310,6 +311,7 @@ namespace Contact
     , boundaries(other.boundaries)
     , curves(other.curves)
     , with_inner_faces(other.with_inner_faces)
+    , inner_curves(other.inner_curves)
     , points(other.points)
     , places(other.places)
     , typed_digits(other.typed_digits)
@@ -349,6 +351,13 @@ namespace Contact
   const std::set<types::boundary_id> &
   Mesh<dim>::boundary(const std::string &name, const std::string &entry) const
   {
+    if (inner_curves.count(name) > 0 && boundaries.count(name) == 0)
+      throw InputError("the curve '" + name +
+                         "' has lines that are no edges of cells on the "
+                         "boundary",
+                       "entry '" + entry + "'",
+                       "mesh the curve and the volume together, or name "
+                       "another group");
     const auto &ids = find_group(boundaries, "boundary", name, entry);
     if (with_inner_faces.count(name) > 0)
       throw InputError("the boundary '" + name + "' has " +

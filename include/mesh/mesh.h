@@ -102,6 +102,9 @@ namespace Contact
     /// The groups of faces that bound bodies in part only.
     std::set<std::string> with_inner_faces;
 
+    /// In 3-D the groups of lines that are not all on the boundary.
+    std::set<std::string> inner_curves;
+
     /// A group of several points is numbers::invalid_unsigned_int; points
     /// which are no corners of cells are left out.
     std::map<std::string, unsigned int> points;

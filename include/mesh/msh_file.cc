@@ -366,7 +366,9 @@ namespace Contact
                                  brief(p[2] - q[2]) + " mm above node " +
                                  std::to_string(first),
                                msh.where(cell),
-                               "mesh surfaces in a plane of constant z");
+                               "of bodies in 3-D name the volumes, Physical "
+                               "Volume(\"...\") = {...}, and mesh with gmsh "
+                               "-3; plane ones lie in a plane of constant z");
           }
     }
 

@@ -49,8 +49,10 @@ namespace Contact
                            const double       value) {
         row.emplace_back(name + " [" + unit + "]", value);
       };
-      for (const auto &[name, value] : increment.probes)
-        add(name, units.probes.at(name), value);
+      for (const auto &[name, unit] : units.probes)
+        if (const auto probe = increment.probes.find(name);
+            probe != increment.probes.end())
+          add(name, unit, probe->second);
       for (const auto &[name, values] : increment.contact)
         for (const auto &[key, value] : values)
           add("contact " + name + (name.empty() ? "" : " ") + key,

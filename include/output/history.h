@@ -7,19 +7,20 @@
 #define contact_history_h
 
 #include <iosfwd>
-#include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "output/summary.h"
 
 namespace Contact
 {
   /// The units of forces and of works, which of plane strain are by thickness,
-  /// and of the probes by name.
+  /// and of the probes, name and unit in the order of their columns.
   struct HistoryUnits
   {
-    std::string                        force, work;
-    std::map<std::string, std::string> probes;
+    std::string                                      force, work;
+    std::vector<std::pair<std::string, std::string>> probes;
   };
 
   /**

@@ -23,6 +23,7 @@ namespace Contact
     , state(state)
     , report(report)
   {
+    report.summary.probe_names = parameters.probes.order;
   }
 
 
@@ -337,8 +338,7 @@ namespace Contact
                                    const std::string         &point)
   {
     if (is_force(quantity))
-      return resultant(quantity, point, model)
-        .value(state.solution, state.load_factor);
+      return force_value(quantity, point, model, state);
     if (is_rotation(quantity))
       return report.increment().rotations.at(
         point)[static_cast<int>(quantity) -

@@ -307,7 +307,7 @@ namespace Contact
                        unit(Parameters::Quantity::strain_energy),
                        {}};
     for (const auto &[name, definition] : parameters.probes.definitions())
-      units.probes[name] = unit(definition.quantity);
+      units.probes.emplace_back(name, unit(definition.quantity));
     result_files->write_first("history.csv", [&](std::ostream &out) {
       Contact::write_history(summary, units, out);
     });

@@ -7,60 +7,29 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
-#include <deal.II/numerics/data_out.h>
 
 #include <algorithm>
 #include <regex>
 
 #include "base/all_ranks.h"
 #include "base/files.h"
-#include "output/contact_patches.h"
+#include "output/body_grids.h"
+#include "output/contact_grid.h"
 #include "output/node_table.h"
-#include "output/vertex_fields.h"
 
 namespace Contact
 {
   namespace
   {
-    using DataComponentInterpretation::component_is_part_of_vector;
-
-    /// The flags of all VTU files: no date, so that equal runs give equal
-    /// files, cells of the given degree, and a compression that takes a sixth
-    /// of the time of the best one.
-    DataOutBase::VtkFlags vtk_flags(const unsigned int k,
-                                    const double       load_factor,
-                                    const unsigned int degree,
-                                    const std::string &force_unit = "N/mm")
+    /// The columns of a profile, and their values in a row. Forces of rings are
+    /// those of all of the ring.
+    std::string profile_columns(const ProfileRow<2> &, const bool is_ring)
     {
-      DataOutBase::VtkFlags flags(load_factor, k);
-      flags.print_date_and_time = false;
-      // The enumeration has another name since deal.II 9.5.
-      flags.compression_level = decltype(flags.compression_level)::best_speed;
-      flags.write_higher_order_cells = degree > 1;
-      flags.physical_units           = {{"displacement", "mm"},
-                                        {"contact_force", force_unit},
-                                        {"stress_xx", "MPa"},
-                                        {"stress_yy", "MPa"},
-                                        {"stress_zz", "MPa"},
-                                        {"stress_xy", "MPa"},
-                                        {"stress_xz", "MPa"},
-                                        {"stress_yz", "MPa"},
-                                        {"von_mises", "MPa"},
-                                        {"pressure", "MPa"},
-                                        {"shear", "MPa"},
-                                        {"gap", "mm"},
-                                        {"slip", "mm"}};
-      return flags;
-    }
-
-
-
-    /// The columns of a profile, and their values in a row.
-    std::string profile_columns(const ProfileRow<2> &)
-    {
-      return "arc_length_mm,deformed_arc_length_mm,X_mm,Y_mm,"
-             "displacement_x_mm,displacement_y_mm,pressure_MPa,shear_MPa,"
-             "nodal_force_N_per_mm,gap_mm,slip_mm";
+      return std::string("arc_length_mm,deformed_arc_length_mm,X_mm,Y_mm,"
+                         "displacement_x_mm,displacement_y_mm,pressure_MPa,"
+                         "shear_MPa,") +
+             (is_ring ? "nodal_force_N" : "nodal_force_N_per_mm") +
+             ",gap_mm,slip_mm";
     }
 
     std::vector<double> profile_values(const ProfileRow<2> &row)
@@ -78,7 +47,7 @@ namespace Contact
               row.slip};
     }
 
-    std::string profile_columns(const ProfileRow<3> &)
+    std::string profile_columns(const ProfileRow<3> &, const bool)
     {
       return "X_mm,Y_mm,Z_mm,displacement_x_mm,displacement_y_mm,"
              "displacement_z_mm,pressure_MPa,shear_x_MPa,shear_y_MPa,"
@@ -100,6 +69,17 @@ namespace Contact
       values.push_back(row.gap);
       add(row.slip_vector);
       return values;
+    }
+
+
+
+    /// The file of a part of an increment, without its ending.
+    std::string part_name(const std::string &series,
+                          const unsigned int k,
+                          const unsigned int part)
+    {
+      return series + '_' + Utilities::int_to_string(k, 4) + '_' +
+             std::to_string(part);
     }
 
 
@@ -144,7 +124,7 @@ namespace Contact
   template<int dim>
   void ResultFiles<dim>::remove_increments() const
   {
-    remove("(bodies|contact)_[0-9.]+p?vtu|restart[0-9._]*bin");
+    remove("(bodies|contact)_[0-9._]+p?vtu|restart[0-9._]*bin");
   }
 
 
@@ -188,9 +168,8 @@ namespace Contact
                                       const Series      &series) const
   {
     if (!series.empty())
-      write_first(name + ".pvd", [&](std::ostream &out) {
-        DataOutBase::write_pvd_record(out, series);
-      });
+      write_first(name + ".pvd",
+                  [&](std::ostream &out) { write_pvd(series, out); });
   }
 
 
@@ -213,79 +192,52 @@ namespace Contact
     const GhostedVector                      &contact_forces,
     const std::vector<double>                &plastic_strains)
   {
-    const auto u = discretization.distributed(solution);
-
-    const auto    &triangulation = discretization.mesh.triangulation;
-    Vector<double> body(triangulation.n_active_cells());
-    for (const auto &cell : triangulation.active_cell_iterators())
-      body[cell->active_cell_index()] = cell->material_id();
-    const VertexFields vertex_fields(discretization,
-                                     vertex_stresses,
-                                     plastic_strains);
-
-    DataOut<dim> data_out;
-    data_out.attach_dof_handler(discretization.dof_handler);
-    data_out.set_flags(vtk_flags(k,
-                                 load_factor,
-                                 discretization.degree,
-                                 "N" + discretization.per_thickness()));
-    const auto add_vector = [&](const DistributedVector &values,
-                                const std::string       &name) {
-      data_out.add_data_vector(discretization.dof_handler,
-                               values,
-                               std::vector<std::string>(dim, name),
-                               {std::size_t(dim), component_is_part_of_vector});
-    };
-    add_vector(u, "displacement");
-    DistributedVector forces;
-    if (contact_forces.size() > 0)
-      {
-        forces = discretization.distributed(contact_forces);
-        add_vector(forces, "contact_force");
-      }
-    vertex_fields.attach(data_out);
-    data_out.add_data_vector(body, "body", DataOut<dim>::type_cell_data);
-    Vector<double> converged(triangulation.n_active_cells());
-    converged = 1;
-    data_out.add_data_vector(converged,
-                             "converged",
-                             DataOut<dim>::type_cell_data);
-    data_out.build_patches(discretization.mapping,
-                           discretization.degree,
-                           DataOut<dim>::curved_inner_cells);
-
-    bodies.emplace_back(load_factor,
-                        write_pieces("bodies_" + Utilities::int_to_string(k, 4),
-                                     data_out));
+    const BodyGrids<dim> grids(discretization,
+                               vertex_stresses,
+                               plastic_strains,
+                               solution,
+                               contact_forces);
+    for (types::material_id id = 0; id < discretization.mesh.bodies.size();
+         ++id)
+      bodies.push_back({load_factor,
+                        id,
+                        discretization.mesh.body_name(id),
+                        write_pieces(part_name("bodies", k, id),
+                                     grids.grid(id),
+                                     load_factor)});
     write_series("bodies", bodies);
   }
 
 
 
   template<int dim>
-  std::string
-  ResultFiles<dim>::write_pieces(const std::string           &name,
-                                 const DataOutInterface<dim> &data) const
+  std::string ResultFiles<dim>::write_pieces(const std::string &name,
+                                             const VtuGrid     &grid,
+                                             const double load_factor) const
   {
-    const unsigned int n_ranks =
-      Utilities::MPI::n_mpi_processes(discretization.communicator);
-    const auto piece = [&](const unsigned int r) {
-      return name + (n_ranks > 1 ? "." + Utilities::int_to_string(r, 4) : "") +
-             ".vtu";
-    };
+    const MPI_Comm communicator = discretization.communicator;
+    const bool is_alone = Utilities::MPI::n_mpi_processes(communicator) == 1;
+    const std::string piece =
+      name + (is_alone ? "" : "." + Utilities::int_to_string(rank(), 4)) +
+      ".vtu";
+    const bool is_empty = grid.types.empty() && !is_alone;
     ++discretization.counters.files;
-    on_all_ranks(discretization.communicator, [&]() {
-      write_file(directory / piece(rank()),
-                 [&](std::ostream &out) { data.write_vtu(out); });
+    on_all_ranks(communicator, [&]() {
+      if (!is_empty)
+        write_file(directory / piece, [&](std::ostream &out) {
+          write_vtu(grid, load_factor, out);
+        });
     });
-    if (n_ranks == 1)
-      return piece(0);
-    write_first(name + ".pvtu", [&](std::ostream &out) {
-      std::vector<std::string> pieces;
-      for (unsigned int r = 0; r < n_ranks; ++r)
-        pieces.push_back(piece(r));
-      data.write_pvtu_record(out, pieces);
-    });
+    if (is_alone)
+      return piece;
+    std::vector<std::string> pieces;
+    for (const std::string &of_rank :
+         Utilities::MPI::all_gather(communicator,
+                                    is_empty ? std::string() : piece))
+      if (!of_rank.empty())
+        pieces.push_back(of_rank);
+    write_first(name + ".pvtu",
+                [&](std::ostream &out) { write_pvtu(grid, pieces, out); });
     return name + ".pvtu";
   }
 
@@ -297,17 +249,16 @@ namespace Contact
                                   const double       load_factor,
                                   const std::vector<PairProfile<dim>> &pairs)
   {
-    const std::string file =
-      "contact_" + Utilities::int_to_string(k, 4) + ".vtu";
-    write_first(file, [&](std::ostream &out) {
-      DataOutBase::write_vtu(
-        contact_patches(pairs),
-        contact_fields<dim>(),
-        contact_vectors<dim>(),
-        vtk_flags(k, load_factor, contact_cell_degree(*pairs.front().slave)),
-        out);
-    });
-    contact.emplace_back(load_factor, file);
+    for (unsigned int part = 0; part < pairs.size(); ++part)
+      {
+        const std::string file = part_name("contact", k, part) + ".vtu";
+        write_first(file, [&](std::ostream &out) {
+          write_vtu(contact_grid(pairs[part]), load_factor, out);
+        });
+        const std::string &name = pairs[part].name;
+        contact.push_back(
+          {load_factor, part, name.empty() ? "Contact" : name, file});
+      }
     write_series("contact", contact);
   }
 
@@ -331,7 +282,9 @@ namespace Contact
   {
     write_first("profile.csv", [&](std::ostream &out) {
       out.precision(12);
-      out << "surface," << profile_columns(ProfileRow<dim>())
+      out << "surface,"
+          << profile_columns(ProfileRow<dim>(),
+                             discretization.per_thickness().empty())
           << ",status_0_open_1_slip_2_stick,extrapolated_pressure_MPa\n";
       for (const PairProfile<dim> &contact_pair : pairs)
         {

@@ -6,16 +6,14 @@
 #ifndef contact_result_files_h
 #define contact_result_files_h
 
-#include <deal.II/base/data_out_base.h>
-
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "output/profile.h"
+#include "output/vtu_file.h"
 
 namespace Contact
 {
@@ -46,12 +44,10 @@ namespace Contact
     void remove(const std::string &names) const;
 
     /**
-     * Write bodies_000k.vtu of increment @p k, and bodies.pvd anew: all cells
-     * at their degree with displacement [mm], Cauchy stress and von Mises
-     * stress [MPa], body (material id), and, unless they are empty, the forces
-     * of contact on the nodes [N per mm of thickness; rings: N] and the
-     * equivalent plastic strains at the vertices [-].
-     * Only what has converged is written: the field "converged" is 1.
+     * Write bodies_000k_B.vtu of increment @p k for each body B, and bodies.pvd
+     * anew, which has their names: the grids of class BodyGrids. The forces of
+     * contact on the nodes and the equivalent plastic strains at the vertices
+     * may be empty.
      */
     void write_bodies(const unsigned int                        k,
                       const double                              load_factor,
@@ -61,10 +57,8 @@ namespace Contact
                       const std::vector<double> &plastic_strains = {});
 
     /**
-     * Write contact_000k.vtu of increment @p k, and contact.pvd anew: the
-     * facets of the slave surfaces, in 3-D at their degree, with
-     * displacement, pressure, shear, gap, slip and status of their rows; shear
-     * and slip are vectors in 3-D.
+     * Write contact_000k_P.vtu of increment @p k for each contact pair P, and
+     * contact.pvd anew: see contact_grid().
      */
     void write_contact(const unsigned int                   k,
                        const double                         load_factor,
@@ -96,15 +90,16 @@ namespace Contact
     const std::filesystem::path directory;
 
   private:
-    /// Load factor and file of each increment.
-    using Series = std::vector<std::pair<double, std::string>>;
+    /// The files of all increments.
+    using Series = std::vector<VtuPart>;
 
     void write_series(const std::string &name, const Series &series) const;
 
     /// Write what all ranks have as NAME.vtu, of several ranks as one piece
     /// each with a record NAME.pvtu. Returns the file to open.
-    std::string write_pieces(const std::string           &name,
-                             const DataOutInterface<dim> &data) const;
+    std::string write_pieces(const std::string &name,
+                             const VtuGrid     &grid,
+                             const double       load_factor) const;
 
     unsigned int rank() const;
 

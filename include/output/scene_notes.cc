@@ -278,6 +278,10 @@ namespace Contact
   {
     Findings findings;
     add_notes_on_histories(parameters, *model.discretization, findings);
+    for (const std::string &group : model.mesh->inner_curves)
+      findings.push_back({"the curve '" + group +
+                          "' has lines that are no edges of cells on the "
+                          "boundary: it is left out"});
     if (!model.interface)
       return findings;
     for (const auto &contact_pair : parameters.pairs())

@@ -141,7 +141,22 @@ namespace Contact
 
 
 
-    Json to_json(const IncrementRecord &increment)
+    /// In the order of the @p names, those without one at the end.
+    Json in_order(const std::map<std::string, double> &values,
+                  const std::vector<std::string>      &names)
+    {
+      Json json = Json::object();
+      for (const std::string &name : names)
+        if (const auto value = values.find(name); value != values.end())
+          json[name] = value->second;
+      json.update(Json(values));
+      return json;
+    }
+
+
+
+    Json to_json(const IncrementRecord          &increment,
+                 const std::vector<std::string> &probe_names)
     {
       Json json{{"level", increment.level},
                 {"load_factor", increment.load_factor},
@@ -159,7 +174,7 @@ namespace Contact
                 {"message", increment.message},
                 {"invariants", increment.invariants},
                 {"works", increment.works},
-                {"probes", increment.probes},
+                {"probes", in_order(increment.probes, probe_names)},
                 {"reactions", increment.reactions}};
       add_pairs(increment.contact, json);
       if (!increment.bodies.empty())
@@ -183,7 +198,8 @@ namespace Contact
 
 
 
-    Json to_json(const LevelRecord &level)
+    Json to_json(const LevelRecord              &level,
+                 const std::vector<std::string> &probe_names)
     {
       return {{"cells", level.n_cells},
               {"displacements", level.n_displacements},
@@ -191,7 +207,7 @@ namespace Contact
               {"system", level.system},
               {"newton_iterations", level.newton_iterations},
               {"linear_iterations", level.linear_iterations},
-              {"probes", level.probes},
+              {"probes", in_order(level.probes, probe_names)},
               {"estimated_errors", level.errors.mesh},
               {"loop_errors", level.errors.loops},
               {"time", to_json(level.time)},
@@ -251,10 +267,11 @@ namespace Contact
       for (const ProbeResult &probe : summary.probes)
         json["probes"].push_back(to_json(probe));
       for (const IncrementRecord &increment : summary.increments)
-        json["increments"].push_back(to_json(increment));
+        json["increments"].push_back(to_json(increment, summary.probe_names));
       for (unsigned int k = 0; k < summary.levels.size(); ++k)
         {
-          json["levels"].push_back(to_json(summary.levels[k]));
+          json["levels"].push_back(
+            to_json(summary.levels[k], summary.probe_names));
           json["levels"].back()["forecast"] = forecast_after(summary.levels, k);
         }
       add_pairs(summary.contact, json);

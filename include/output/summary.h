@@ -164,6 +164,9 @@ namespace Contact
     /// Why an accuracy that was asked for is not reached, or nothing.
     std::string accuracy_missed;
 
+    /// The names of the probes as they are in the parameter file.
+    std::vector<std::string> probe_names;
+
     std::vector<ProbeResult>     probes;
     std::vector<IncrementRecord> increments;
     std::vector<LevelRecord>     levels;

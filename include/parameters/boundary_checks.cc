@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "base/string_utilities.h"
+#include "parameters/declared_entry.h"
 #include "parameters/entry_checks.h"
 #include "parameters/formula.h"
 #include "parameters/parameters.h"
@@ -52,9 +53,16 @@ namespace Contact
         }
       catch (const std::runtime_error &error)
         {
+          const std::string unit = unit_behind_number(formula);
+          const bool        is_variable =
+            ("," + variables + ",").find("," + unit + ",") != std::string::npos;
           throw EntryError(error.what(),
                            {entry},
-                           "write a formula such as '2*" +
+                           (unit.empty() || is_variable
+                              ? std::string()
+                              : "numbers have no unit here, such as " +
+                                  in_quotes(unit) + "; ") +
+                             "write a formula such as '2*" +
                              variables.substr(0, 1) +
                              " + 1'; there are ^, sin, min(a, b), "
                              "if(condition, a, b), pi and others");

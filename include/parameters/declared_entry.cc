@@ -9,6 +9,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -22,8 +23,20 @@ namespace Contact
     {
       return text.find(part) != std::string::npos;
     }
-
   } // namespace
+
+
+
+  std::string unit_behind_number(const std::string &text)
+  {
+    static const std::regex number_and_unit(
+      "(?:^|[\\s:,;])[-+]?(?:\\d+[.]?\\d*|[.]\\d+)(?:[eE][-+]?\\d+)?\\s*"
+      "([A-Za-z%][^,;]*)");
+    std::smatch found;
+    return std::regex_search(text, found, number_and_unit)
+             ? Utilities::trim(found[1])
+             : "";
+  }
 
 
 
@@ -99,6 +112,30 @@ namespace Contact
     for (const std::string no_bound : {" <= 2147483647", " <= MAX_DOUBLE"})
       text = Utilities::replace_in_string(text, no_bound, "");
     return lower_case(text.substr(0, 1)) + text.substr(1);
+  }
+
+
+
+  std::string DeclaredEntry::remedy(const std::string &value) const
+  {
+    const std::string allowed = "allowed: " + allowed_values();
+    if (is_map() && contains(value, "?"))
+      return "write if(condition, a, b) instead of 'condition ? a : b'; " +
+             allowed;
+    const bool is_number =
+      contains(pattern, "[Double") || contains(pattern, "[Integer");
+    const std::string unit = is_number ? unit_behind_number(value) : "";
+    if (unit.empty())
+      return allowed;
+    const auto begin = documentation.find('[');
+    const auto meant =
+      documentation.substr(begin + 1,
+                           documentation.find(']', begin) - begin - 1);
+    return "numbers have no unit here, such as " + in_quotes(unit) +
+           (begin == std::string::npos || meant == "-"
+              ? std::string()
+              : ": they are in " + meant) +
+           "; " + allowed;
   }
 
 

@@ -13,10 +13,11 @@ namespace Contact
   namespace Parameters
   {
     /// Whether the derivative of a quantity by the displacements is known: not
-    /// of those of obstacles and rigid boundaries, nor of plastic strains.
+    /// of those of obstacles and rigid boundaries, of supports without contact,
+    /// nor of plastic strains.
     inline bool has_dual_problem(const Quantity quantity)
     {
-      return (quantity < Quantity::reaction_moment_x ||
+      return (quantity < Quantity::support_x ||
               quantity > Quantity::rotation_z) &&
              (quantity < Quantity::obstacle_force_x ||
               quantity > Quantity::shortening) &&

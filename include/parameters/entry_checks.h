@@ -10,6 +10,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "base/string_utilities.h"
 #include "parameters/parameters_scene.h"
@@ -29,7 +30,8 @@ namespace Contact
 
 
 
-  // The keys of one map have to be keys of another one as well.
+  // The keys of one map have to be keys of another one as well. Of two that
+  // nearly agree nobody knows here which one is misspelt.
   template<typename A, typename B>
   void check_keys(const std::map<std::string, A> &map,
                   const std::string              &entry,
@@ -38,11 +40,21 @@ namespace Contact
   {
     for (const auto &[key, value] : map)
       if (other.count(key) == 0)
-        throw EntryError(in_quotes(key) + " is in " + entry + ", but not in " +
-                           other_entry + ".",
-                         {entry, other_entry},
-                         "add " + in_quotes(key) + " to " + other_entry +
-                           " or remove it from " + entry);
+        {
+          std::vector<std::string> unpaired;
+          for (const auto &there : other)
+            if (map.count(there.first) == 0)
+              unpaired.push_back(there.first);
+          const std::size_t i = nearest(key, unpaired);
+          throw EntryError(in_quotes(key) + " is in " + entry +
+                             ", but not in " + other_entry + ".",
+                           {entry, other_entry},
+                           i < unpaired.size()
+                             ? other_entry + " has " + in_quotes(unpaired[i]) +
+                                 ": write the name of the mesh in both"
+                             : "add " + in_quotes(key) + " to " + other_entry +
+                                 " or remove it from " + entry);
+        }
   }
 } // namespace Contact
 

@@ -232,13 +232,21 @@ namespace Contact
 
 
 
-    std::map<std::string, Probes::Definition> Probes::definitions() const
+    Probes::Definitions Probes::definitions() const
     {
-      std::map<std::string, Definition> definitions;
+      Definitions definitions;
       for (const auto &[name, probe] : probes)
-        definitions.insert(
+        definitions.push_back(
           {name,
            {Choice<Quantity>(probe[0]), {probe.begin() + 1, probe.end()}}});
+      const auto position = [&](const auto &definition) {
+        return std::find(order.begin(), order.end(), definition.first);
+      };
+      std::stable_sort(definitions.begin(),
+                       definitions.end(),
+                       [&](const auto &a, const auto &b) {
+                         return position(a) < position(b);
+                       });
       return definitions;
     }
 
@@ -251,7 +259,7 @@ namespace Contact
       for (const auto &[name, request] : requests())
         {
           const std::string unit =
-            unit_of(definitions().at(name).quantity, symmetry);
+            unit_of(Choice<Quantity>(probes.at(name)[0]), symmetry);
           if (!(request.value > 0) ||
               (request.unit != "%" && request.unit != unit))
             throw EntryError("The accuracy of " + in_quotes(name) + ", " +

@@ -108,6 +108,13 @@ namespace Contact
                               name + "'.",
                             {entry, "Probes/Probes"},
                             "ask for the contact force of the slave");
+        else if (probe.quantity.name().compare(0, 7, "support") == 0)
+          return EntryError(
+            "There is no dual problem for the force of supports "
+            "alone, the probe '" +
+              name + "'.",
+            {entry, "Probes/Probes"},
+            "ask for the reaction");
       return {};
     }
 

@@ -358,7 +358,7 @@ namespace Contact
         throw InputError(in_quotes(value) + " is not allowed for " +
                            entry.path() + ".",
                          entry_and_place,
-                         "allowed: " + entry.allowed_values());
+                         entry.remedy(value));
       }
     prm.leave_subsection();
     settings[entry.path()] = place;

@@ -6,7 +6,9 @@
 // The entries of how a scene is solved, and of what is reported.
 
 #include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
 
+#include "base/string_utilities.h"
 #include "parameters/parameters.h"
 
 namespace Contact
@@ -178,15 +180,22 @@ namespace Contact
           " [displacements: mm, stresses: MPa, forces: N per "
           "mm of thickness, in rings N]; pressure and shear "
           "are those of contact, at points of a slave; reactions "
-          "and contact forces those on the body at a boundary "
-          "group, reactions also at a point group, named as the point: of the "
-          "nodes that supports hold in that direction, and of the "
-          "others; obstacle forces and moments, about its centre, "
+          "and contact forces are all forces on the body at a boundary "
+          "group, reactions also at a point group, named as the point: on the "
+          "nodes that supports hold in that direction, and on the "
+          "others; support forces are reactions without what contact exerts "
+          "on these nodes; obstacle forces and moments, about its centre, "
           "those of an obstacle on the body, its section 'Contact "
           "NAME' as the point, and its motions since the beginning; alike "
           "preload and shortening are those of a cut; the strain energy is that of a body, "
           "named as the point [N mm per mm of thickness, in rings N "
           "mm].");
+      prm.add_action("Probes", [this](const std::string &value) {
+        order.clear();
+        for (const std::string &probe :
+             Utilities::split_string_list(value, ';'))
+          order.push_back(split_at(probe, probe.find(':')).first);
+      });
       prm.add_parameter("References",
                         references,
                         "'name: value', separated by ','; what a probe is "

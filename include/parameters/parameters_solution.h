@@ -12,6 +12,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "parameters/quantities.h"
@@ -102,6 +103,9 @@ namespace Contact
       /// group}; see the entry's documentation.
       std::map<std::string, std::vector<std::string>> probes;
 
+      /// Their names as they are in the parameter file.
+      std::vector<std::string> order;
+
       /// A quantity at a point group, for forces a boundary group and for
       /// energies a body, or its difference between two of them.
       struct Definition
@@ -110,8 +114,10 @@ namespace Contact
         std::vector<std::string> places;
       };
 
-      /// The probes by their names. They have been checked.
-      std::map<std::string, Definition> definitions() const;
+      /// The probes with their names, in the order of the parameter file. They
+      /// have been checked.
+      using Definitions = std::vector<std::pair<std::string, Definition>>;
+      Definitions definitions() const;
 
       /// Name -> reference value, and its relative tolerance.
       std::map<std::string, double> references;

@@ -32,6 +32,9 @@ namespace Contact
       reaction_x,
       reaction_y,
       reaction_z,
+      support_x,
+      support_y,
+      support_z,
       reaction_moment_x,
       reaction_moment_y,
       reaction_moment_z,
@@ -74,6 +77,9 @@ namespace Contact
               {"reaction x", Quantity::reaction_x},
               {"reaction y", Quantity::reaction_y},
               {"reaction z", Quantity::reaction_z},
+              {"support x", Quantity::support_x},
+              {"support y", Quantity::support_y},
+              {"support z", Quantity::support_z},
               {"reaction moment x", Quantity::reaction_moment_x},
               {"reaction moment y", Quantity::reaction_moment_y},
               {"reaction moment z", Quantity::reaction_moment_z},
@@ -107,12 +113,14 @@ namespace Contact
         {
           case Quantity::displacement_y:
           case Quantity::reaction_y:
+          case Quantity::support_y:
           case Quantity::contact_force_y:
           case Quantity::obstacle_force_y:
           case Quantity::obstacle_motion_y:
             return 1;
           case Quantity::displacement_z:
           case Quantity::reaction_z:
+          case Quantity::support_z:
           case Quantity::contact_force_z:
           case Quantity::obstacle_force_z:
           case Quantity::obstacle_motion_z:
@@ -165,6 +173,9 @@ namespace Contact
           case Quantity::reaction_x:
           case Quantity::reaction_y:
           case Quantity::reaction_z:
+          case Quantity::support_x:
+          case Quantity::support_y:
+          case Quantity::support_z:
           case Quantity::contact_force_x:
           case Quantity::contact_force_y:
           case Quantity::contact_force_z:

@@ -10,6 +10,7 @@
 
 #include "base/errors.h"
 #include "base/string_utilities.h"
+#include "contact/results/contact_results.h"
 #include "solid/followers.h"
 
 namespace Contact
@@ -17,10 +18,18 @@ namespace Contact
   using Parameters::Choice;
   using Parameters::Quantity;
 
+  bool is_of_supports_alone(const Quantity quantity)
+  {
+    return quantity >= Quantity::support_x && quantity <= Quantity::support_z;
+  }
+
+
+
   bool is_reaction(const Quantity quantity)
   {
-    return quantity == Quantity::reaction_x ||
-           quantity == Quantity::reaction_y || quantity == Quantity::reaction_z;
+    return (quantity >= Quantity::reaction_x &&
+            quantity <= Quantity::reaction_z) ||
+           is_of_supports_alone(quantity);
   }
 
 
@@ -91,6 +100,24 @@ namespace Contact
                           mesh.boundary(boundary, entry),
                           direction,
                           is_reaction(quantity));
+  }
+
+
+
+  template<int dim>
+  double force_value(const Quantity             quantity,
+                     const std::string         &boundary,
+                     const ContactModel<dim>   &model,
+                     const IncrementState<dim> &state)
+  {
+    const bool without_contact =
+      is_of_supports_alone(quantity) && model.interface;
+    return resultant(quantity, boundary, model)
+      .value(state.solution,
+             state.load_factor,
+             without_contact
+               ? contact_forces(*model.interface, state.solution, state.start)
+               : GhostedVector());
   }
 
 
@@ -188,12 +215,15 @@ namespace Contact
             difference <= noticed * std::max(std::abs(value->second),
                                              std::abs(of_supports->second)))
           continue;
-        const std::string unit = component.size() > 1 ? " N mm" : " N";
+        const bool        is_moment = component.size() > 1;
+        const std::string unit      = is_moment ? " N mm" : " N";
         findings.push_back(
           {"the probe '" + name + "' is " + brief(value->second) + unit +
            ", of which supports exert " + brief(of_supports->second) + unit +
            " and contact the rest: it acts on nodes that they hold; the supports "
-           "alone are in summary.json, increments/reactions"});
+           "alone " +
+           (is_moment ? "are in summary.json, increments/reactions"
+                      : "are 'support " + component + "'")});
       }
     return findings;
   }
@@ -219,6 +249,15 @@ namespace Contact
                               const ContactModel<3> &model,
                               const GhostedVector   &solution,
                               const double           load_factor);
+
+  template double force_value(const Quantity           quantity,
+                              const std::string       &boundary,
+                              const ContactModel<2>   &model,
+                              const IncrementState<2> &state);
+  template double force_value(const Quantity           quantity,
+                              const std::string       &boundary,
+                              const ContactModel<3>   &model,
+                              const IncrementState<3> &state);
 
   template Resultant<2> resultant(const Parameters::Quantity quantity,
                                   const std::string         &boundary,

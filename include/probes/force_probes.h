@@ -8,15 +8,17 @@
 
 #include <string>
 
-#include "model/contact_model.h"
+#include "model/increment_state.h"
 #include "solid/resultant.h"
 
 namespace Contact
 {
   using namespace dealii;
 
-  /// Whether a quantity is the resultant of the forces of supports.
+  /// Whether a quantity is the resultant of the forces on nodes that supports
+  /// hold, and whether it is that of the supports alone.
   bool is_reaction(const Parameters::Quantity quantity);
+  bool is_of_supports_alone(const Parameters::Quantity quantity);
 
   /// Whether a quantity is the resultant of forces at a boundary, of supports
   /// also at a point.
@@ -49,6 +51,13 @@ namespace Contact
   Resultant<dim> resultant(const Parameters::Quantity quantity,
                            const std::string         &boundary,
                            const ContactModel<dim>   &model);
+
+  /// The force that a quantity means there, in a state. Collective.
+  template<int dim>
+  double force_value(const Parameters::Quantity quantity,
+                     const std::string         &boundary,
+                     const ContactModel<dim>   &model,
+                     const IncrementState<dim> &state);
 
   /// A sentence on each reaction that is another than the force of the supports
   /// alone, because contact acts on nodes that they hold: by name the values of

@@ -198,8 +198,7 @@ namespace Contact
                     const IncrementState<dim> &state)
     {
       if (is_force(quantity))
-        return resultant(quantity, name, model)
-          .value(state.solution, state.load_factor);
+        return force_value(quantity, name, model, state);
       if (is_energy(quantity))
         return body_energy(name, model, state.solution);
       if (is_of_rigid(quantity))

@@ -100,10 +100,13 @@ namespace Contact
 
   template<int dim>
   double Resultant<dim>::value(const GhostedVector &solution,
-                               const double         load_factor) const
+                               const double         load_factor,
+                               const GhostedVector &left_out) const
   {
     const auto    cells  = elasticity.cells_at(test_function());
     GhostedVector forces = elasticity.forces(solution, load_factor, &cells);
+    if (left_out.size() > 0)
+      forces -= left_out;
     hand_over_from_followers(discretization, forces);
     double      sum   = 0;
     const auto &owned = discretization.dof_handler.locally_owned_dofs();

@@ -42,8 +42,11 @@ namespace Contact
               const unsigned int                direction,
               const bool                        of_supports);
 
+    /// Without the forces @p left_out on the nodes, if there are any.
     /// Collective.
-    double value(const GhostedVector &solution, const double load_factor) const;
+    double value(const GhostedVector &solution,
+                 const double         load_factor,
+                 const GhostedVector &left_out = {}) const;
 
     /// Add the derivative with respect to the displacements, times @p factor,
     /// to the @p derivative: K^T v, v the test function. On one rank.

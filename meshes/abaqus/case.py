@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from named_mesh import BadMesh
 
-from . import contact, loads, solids
+from . import contact, loads, probes, solids
 from .contact import Obstacle
 from .deck import Block, Row
 from .parts import Scope
@@ -41,11 +41,11 @@ WHY = {"EXPANSION": "give Solids/Thermal strain",
        "ORIENTATION": "materials are isotropic"}
 
 SECTIONS = ("Mesh", "Element", "Solids", "Boundary conditions", "Contact",
-            "Solution", "Output")
+            "Solution", "Probes", "Output")
 # Entries whose values have a comma.
 WITH_COMMAS = ("Points", "Hardening curve", "Displacement formula", "Pressure",
                "Traction", "Body force", "Histories", "Obstacle motion",
-               "Obstacle force")
+               "Obstacle force", "Probes")
 MARK = "# Written by meshes/convert.py from "
 
 
@@ -69,6 +69,9 @@ class Case:
         self.body_forces: list[tuple] = []
         self.weighed: set[int] = set()  # materials whose density is used
         self.ending: list[tuple[int, Load, Block]] = []
+        # What output is asked for: quantity -> groups.
+        self.wanted: dict[str, list[str]] = {}
+        self.held: dict[str, set[int]] = {}  # nodes by direction
         self.transformed: set[int] = set()
         self.large = self.is_round = False
         self.thickness = self.find_thickness()
@@ -84,6 +87,8 @@ class Case:
         for block, scope in sorted(self.deck.rest, key=turn):
             if block.keyword in KEYWORDS:
                 KEYWORDS[block.keyword](self, block, scope)
+            elif block.keyword in probes.KEYWORDS:
+                probes.KEYWORDS[block.keyword](self, block, scope)
             elif block.keyword.endswith(OUTPUT):
                 self.leave(block, "see the sections Output and Probes")
             elif block.keyword not in QUIET:
@@ -95,6 +100,7 @@ class Case:
         loads.put_loads(self)
         for section, obstacle in self.moving:
             obstacle.entries(self, section)
+        probes.put_probes(self)
         self.put("Output", "VTU", "true")
         entries = self.entries.get("Boundary conditions", {})
         if "Histories" in entries:  # behind all others

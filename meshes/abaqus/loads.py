@@ -137,6 +137,8 @@ def support(target: Target, dofs, value: float) -> None:
         case.leave(target.row, "directions of *TRANSFORM: give Boundary "
                    "conditions/Displacement normal")
         return
+    for dof in dofs:
+        case.held.setdefault("xyz"[dof - 1], set()).update(nodes)
     groups, lost = case.groups.supports(name, nodes)
     if not groups:
         case.leave(target.row, f"the set '{name}' has no nodes of areas or volumes")

@@ -29,6 +29,10 @@ import pandas
 UNITS = {"_N_per_mm": "N/mm", "_MPa": "MPa", "_mm": "mm", "_N": "N",
          "_0_open_1_slip_2_stick": "0 open, 1 slip, 2 stick"}
 
+# Of vectors, and of symmetric tensors, which have all nine: where each is.
+COMPONENTS = {3: {"x": 0, "y": 1, "z": 2},
+              9: {"xx": 0, "yy": 4, "zz": 8, "xy": 1, "yz": 5, "xz": 2}}
+
 
 class Results:
     """A folder of results, each file of which is read when it is asked for."""
@@ -105,17 +109,43 @@ class Results:
 
     def times(self, series: str = "bodies") -> list[float]:
         """The load factors of a series of VTU, "bodies" or "contact"."""
-        return [time for time, _ in self._files(series)]
+        return [time for time, _ in self._increments(series)]
 
     def grid(self, series: str = "bodies", time: float = float("inf")):
         """The vtkUnstructuredGrid of a series at the load factor that is nearest
-        to time, undeformed; the pieces of several processes are one grid."""
+        to time, undeformed: all bodies, or contact pairs, in one grid."""
+        from vtkmodules.vtkFiltersCore import vtkAppendFilter
+        together = vtkAppendFilter()
+        for _, file in self._parts(series, time):
+            together.AddInputData(self._read(series, file))
+        together.Update()
+        return together.GetOutput()
+
+    def points(self, series: str = "bodies",
+               time: float = float("inf")) -> pandas.DataFrame:
+        """The fields of a grid at its points, whose places are x, y, z: undeformed,
+        with the name of the body, or of the contact pair. A node of hanging faces
+        may be there twice, and of several processes once for each."""
+        return pandas.concat(
+            [self._table(self._read(series, file)).assign(
+                **{"body" if series == "bodies" else "pair": name})
+             for name, file in self._parts(series, time)], ignore_index=True)
+
+    @staticmethod
+    def _table(grid) -> pandas.DataFrame:
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        columns = dict(zip("xyz", vtk_to_numpy(grid.GetPoints().GetData()).T))
+        data = grid.GetPointData()
+        for i in range(data.GetNumberOfArrays()):
+            values, name = vtk_to_numpy(data.GetArray(i)), data.GetArrayName(i)
+            columns |= ({name: values} if values.ndim == 1 else
+                        {f"{name}_{d}": values[:, c] for d, c in
+                         COMPONENTS[values.shape[1]].items()})
+        return pandas.DataFrame(columns)
+
+    def _read(self, series: str, file: Path):
         from vtkmodules.vtkIOXML import (vtkXMLPUnstructuredGridReader,
                                          vtkXMLUnstructuredGridReader)
-        files = self._files(series)
-        # The last one of those as near: the finest level.
-        file = (files[-1][1] if time == float("inf") else
-                min(reversed(files), key=lambda f: abs(f[0] - time))[1])
         for piece in [file, *self._pieces(file)]:
             if not piece.exists():
                 raise FileNotFoundError(f"{piece} is missing: {series}.pvd names it")
@@ -127,22 +157,11 @@ class Results:
             raise ValueError(f"{file} has no points: it is damaged")
         return reader.GetOutput()
 
-    def points(self, series: str = "bodies",
-               time: float = float("inf")) -> pandas.DataFrame:
-        """The fields of a grid at its points, whose places are x, y, z: undeformed.
-        A node has as many rows as there are cells that have points of their own
-        there."""
-        from vtkmodules.util.numpy_support import vtk_to_numpy
-        grid = self.grid(series, time)
-        columns = dict(zip("xyz", vtk_to_numpy(grid.GetPoints().GetData()).T))
-        data = grid.GetPointData()
-        for i in range(data.GetNumberOfArrays()):
-            values, name = vtk_to_numpy(data.GetArray(i)), data.GetArrayName(i)
-            columns |= ({name: values} if values.ndim == 1 else
-                        {f"{name}_{d}": v for d, v in zip("xyz", values.T)}
-                        if values.shape[1] == 3 else
-                        {f"{name}_{k}": v for k, v in enumerate(values.T)})
-        return pandas.DataFrame(columns)
+    def _parts(self, series: str, time: float) -> list[tuple[str, Path]]:
+        increments = self._increments(series)
+        # The last one of those as near: the finest level.
+        return (increments[-1] if time == float("inf") else
+                min(reversed(increments), key=lambda i: abs(i[0] - time)))[1]
 
     def _file(self, name: str, entry: str = "") -> Path:
         path = self.folder / name
@@ -153,10 +172,16 @@ class Results:
                    "contact, or before an increment has converged" if entry else ""))
         return path
 
-    def _files(self, series: str) -> list[tuple[float, Path]]:
+    def _increments(self, series: str) -> list[tuple[float,
+                                                     list[tuple[str, Path]]]]:
+        """Load factor, and names and files of the parts."""
         root = xml.parse(self._file(f"{series}.pvd", "Output/VTU")).getroot()
-        return [(float(s.get("timestep")), self.folder / s.get("file"))
-                for s in root.iter("DataSet")]
+        found: list[tuple[float, list[tuple[str, Path]]]] = []
+        for s in root.iter("DataSet"):
+            if s.get("part") == "0":
+                found.append((float(s.get("timestep")), []))
+            found[-1][1].append((s.get("name"), self.folder / s.get("file")))
+        return found
 
     @staticmethod
     def _pieces(file: Path) -> list[Path]:

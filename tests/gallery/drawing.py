@@ -9,7 +9,7 @@ from pathlib import Path
 import vtkmodules.vtkInteractionStyle  # noqa: F401
 import vtkmodules.vtkRenderingFreeType  # noqa: F401, names draw text
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkFiltersCore import vtkThreshold
 from vtkmodules.vtkFiltersGeneral import vtkWarpVector
@@ -22,7 +22,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextActor,
     vtkWindowToImageFilter)
 
-from contact_results import Results
+from contact_results import COMPONENTS, Results
 from curves import STATUS
 
 # Viridis: dark to light, even in grey and to the colour-blind. Blue to red for
@@ -64,8 +64,17 @@ def describe(case: Path) -> str:
 
 def unmoved_grid(case: Path, name: str, time=1.0):
     """Bodies or contact surface at the end of the increment nearest to a time,
-    the load's end is 1, where they were before."""
-    return Results(case).grid(name, time)
+    the load's end is 1, where they were before; with the stresses one by one."""
+    grid = Results(case).grid(name, time)
+    data = grid.GetPointData()
+    if stress := data.GetArray("stress"):
+        for component, c in COMPONENTS[9].items():
+            array = vtkFloatArray()
+            array.SetName(f"stress_{component}")
+            array.SetNumberOfTuples(stress.GetNumberOfTuples())
+            array.CopyComponent(0, stress, c)
+            data.AddArray(array)
+    return grid
 
 
 def last_grid(case: Path, name: str):

@@ -140,7 +140,7 @@ TYPES = {"Float32": "f4", "Float64": "f8", "Int32": "i4", "Int64": "i8",
 
 
 def vtu_arrays(path):
-    """The arrays of a file as deal.II writes it: base64, blocks of zlib."""
+    """The arrays of a file: base64, blocks of zlib."""
     arrays = {}
     text = path.read_text()
     for tag, body in re.findall(r"<DataArray ([^>]*)>(.*?)</DataArray>", text,
@@ -162,7 +162,22 @@ def pieces(path):
     parts = [vtu_arrays(path.parent / name) for name in re.findall(
         '<Piece Source="([^"]*)"', path.read_text())]
     return {name: np.concatenate([part[name] for part in parts])
-            for name in ("points", "displacement", "body")}
+            for name in ("points", "displacement")}
+
+
+def parts(directory):
+    """Points, displacements and number of the body of each in the last
+    increment of bodies.pvd, whose bodies have a file each."""
+    files = re.findall(r'part="(\d+)".*file="([^"]*)"', (
+        directory / "bodies.pvd").read_text())
+    first = max(i for i, (number, _) in enumerate(files) if number == "0")
+    found = [(int(number), pieces(directory / file))
+             for number, file in files[first:]]
+    return (*(np.concatenate([arrays[name].reshape(-1, 3)[:, :2].astype(float)
+                              for _, arrays in found])
+              for name in ("points", "displacement")),
+            np.concatenate([np.full(len(arrays["points"]) // 3, number)
+                            for number, arrays in found]))
 
 
 def decode(text):
@@ -181,14 +196,9 @@ def middle_displacements(run_, model, u):
     """Fill in the middles of the edges from the last file of the bodies, in
     single precision; False if a node is not in it."""
     try:
-        files = re.findall('file="([^"]*)"', (run_.directory / "bodies.pvd")
-                           .read_text())
+        points, values, bodies = parts(run_.directory)
     except OSError:
         return False
-    arrays = pieces(run_.directory / files[-1])
-    points = arrays["points"].reshape(-1, 3)[:, :2].astype(float)
-    values = arrays["displacement"].reshape(-1, 3)[:, :2].astype(float)
-    bodies = arrays["body"].astype(int)
     for number, body in match_bodies(model, points, bodies).items():
         nodes = np.flatnonzero(model.body_of == body)
         nodes = nodes[nodes >= model.n_vertices]
