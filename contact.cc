@@ -77,8 +77,7 @@ namespace Contact
   {
   public:
     ContactProblem(const Parameters::All  &parameters,
-                   const ParameterHandler &prm,
-                   const bool              verbose);
+                   const ParameterHandler &prm);
 
     RunSummary run();
 
@@ -141,12 +140,11 @@ namespace Contact
 
   template<int dim>
   ContactProblem<dim>::ContactProblem(const Parameters::All  &parameters,
-                                      const ParameterHandler &prm,
-                                      const bool              verbose)
+                                      const ParameterHandler &prm)
     : parameters(parameters)
-    , report(this->parameters, prm, verbose, MPI_COMM_WORLD)
+    , report(this->parameters, prm, MPI_COMM_WORLD)
     , pairing(model, this->parameters, report.timer)
-    , stabilization(model, report.screen)
+    , stabilization(model, report.log)
     , newton(model, system, state, pairing, report.timer)
     , postprocessor(this->parameters, model, state, report)
     , checkpoint(this->parameters,
@@ -287,7 +285,7 @@ namespace Contact
       system = LinearSystem<dim>::create(model,
                                          parameters,
                                          pairing.linearization(),
-                                         report.screen,
+                                         report.log,
                                          report.timer);
       pairing.begin_level(*system);
     }
@@ -344,8 +342,8 @@ namespace Contact
             if (try_again(steps, step, failure.what()))
               continue;
             std::ostringstream message;
-            message << "no solution at the load factor " << step.to
-                    << ", the last one is at " << step.from << ": "
+            message << "no solution at t = " << step.to
+                    << ", the last one is at t = " << step.from << ": "
                     << failure.what();
             throw NotConverged(message.str());
           }
@@ -366,6 +364,7 @@ namespace Contact
             if (!parameters.asks_for_accuracy())
               checkpoint.write(steps);
           }
+        report.print_increment();
         if (levels.may_be_followed() && step.ends_increment)
           here.add(model, state.solution);
       }
@@ -495,8 +494,7 @@ namespace Contact
                                       const LoadSteps::Step &step,
                                       const std::string     &reason)
   {
-    report.increment().message = reason;
-    report.screen << "  " << reason << std::endl;
+    report.give_up_increment(reason);
     state.roll_back(model);
     postprocessor.clear_stresses();
     system->clear_pattern();
@@ -507,8 +505,8 @@ namespace Contact
 
     if (pairing.use_consistent_tangent())
       {
-        report.screen << "  once more with the pairing in the tangent"
-                      << std::endl;
+        report.log << "  once more with the pairing in the tangent"
+                   << std::endl;
         return true;
       }
     stabilization.stabilize_free_pieces(nullptr);
@@ -516,7 +514,7 @@ namespace Contact
       return true;
     if (steps.cut())
       {
-        report.screen << "  cut in half" << std::endl;
+        report.log << "  cut in half" << std::endl;
         return true;
       }
     state.load_factor = step.from;
@@ -543,7 +541,7 @@ namespace Contact
     while (steps.cut())
       is_cut = true;
     if (is_cut)
-      report.screen
+      report.log
         << "The bodies do not touch yet: they do first in a step of its own"
         << std::endl;
   }
@@ -579,11 +577,11 @@ namespace Contact
         const auto   hold   = stabilization.work(state.solution);
         const double energy = model.elasticity->strain_energy(state.solution);
         report.increment().hold_work = hold.work;
-        report.screen << "  stabilization, iteration " << iteration
-                      << ": its work " << hold.work << " N mm"
-                      << model.discretization->per_thickness()
-                      << ", strain energy " << energy << " N mm"
-                      << model.discretization->per_thickness() << std::endl;
+        report.log << "  stabilization, iteration " << iteration
+                   << ": its work " << hold.work << " N mm"
+                   << model.discretization->per_thickness()
+                   << ", strain energy " << energy << " N mm"
+                   << model.discretization->per_thickness() << std::endl;
         if (hold.is_little(energy,
                            newton.convergence.force_scale(),
                            newton.convergence.tolerance()))
@@ -622,7 +620,7 @@ namespace Contact
                    2 * model.elasticity->strain_energy(state.solution) /
                      newton.convergence.force_scale());
 
-      report.screen << "  geometry, iteration " << n << std::endl;
+      report.log << "  geometry, iteration " << n << std::endl;
       ++report.increment().geometry_iterations;
       if (n == 1)
         pairing.pair(state.solution);
@@ -639,8 +637,7 @@ namespace Contact
       const double change      = moved == 0 ? 0. : moved / last_increment;
       const bool   is_compared = n > 1 || levels.present() > 0;
       if (is_compared)
-        report.screen << "    change of the displacement " << change
-                      << std::endl;
+        report.log << "    change of the displacement " << change << std::endl;
       return std::make_pair(change,
                             is_compared &&
                               change < parameters.solution.geometry_tolerance);
@@ -689,8 +686,8 @@ namespace Contact
       last_bounds = interface.bounds.values();
       const double change =
         interface.bounds.update(state.solution, state.start);
-      report.screen << "    friction, iteration " << n
-                    << ": change of the bound " << change << std::endl;
+      report.log << "    friction, iteration " << n << ": change of the bound "
+                 << change << std::endl;
       return std::make_pair(change,
                             change <= parameters.solution.friction_tolerance);
     };
@@ -767,10 +764,10 @@ namespace Contact
                              system->contradiction() + stabilization.remark());
         if (has_converged && !is_accepted)
           {
-            report.screen << "      paired anew: the surfaces have moved by "
-                          << pairing.misplacement(state) << " mm of "
-                          << pairing.way(state) << " mm since they were paired"
-                          << std::endl;
+            report.log << "      paired anew: the surfaces have moved by "
+                       << pairing.misplacement(state) << " mm of "
+                       << pairing.way(state) << " mm since they were paired"
+                       << std::endl;
             newton.pair_anew();
             max_steps = step + limit;
             continue;
@@ -783,9 +780,9 @@ namespace Contact
             if (!model.elasticity->is_elastic() && !is_smallest_step)
               throw NotConverged("the active set cycles:" + newton.changes());
             ++record.cycles;
-            report.screen << "      the active set cycles, now one point at a "
-                             "time changes:"
-                          << newton.changes() << std::endl;
+            report.log << "      the active set cycles, now one point at a "
+                          "time changes:"
+                       << newton.changes() << std::endl;
             if (!system->has_multipliers())
               max_steps = limit + model.interface->points().size();
           }
@@ -923,16 +920,14 @@ int main(int argc, char **argv)
   return run_application(
     argc,
     argv,
-    [](const Parameters::All  &parameters,
-       const ParameterHandler &prm,
-       const bool              verbose) {
+    [](const Parameters::All &parameters, const ParameterHandler &prm) {
       try
         {
-          return ContactProblem<2>(parameters, prm, verbose).run();
+          return ContactProblem<2>(parameters, prm).run();
         }
       catch (const MeshOfVolumes &)
         {
-          return ContactProblem<3>(parameters.for_space(), prm, verbose).run();
+          return ContactProblem<3>(parameters.for_space(), prm).run();
         }
     });
 }

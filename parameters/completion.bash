@@ -24,7 +24,7 @@ _contact() {
     done <<<"$_contact_known"
   elif [[ $word == -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W \
-      "--set --quiet --restart --parameters --version --help" -- "$word")
+      "--set --quiet --verbose --restart --parameters --version --help" -- "$word")
   else
     compopt -o filenames
     mapfile -t COMPREPLY < <(compgen -f -X '!*.prm' -- "$word"

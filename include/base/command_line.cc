@@ -24,6 +24,7 @@ FILE is a parameter file, NAME.prm or NAME.json.
 
   --set "Section/Entry=value"   change an entry of all files
   --quiet                       print the table only
+  --verbose                     print every iteration, as log.txt has them
   --restart                     go on behind the last increment of an
                                 interrupted run
   --parameters                  list all entries and their meaning
@@ -64,6 +65,8 @@ and what Open MPI knows.
           }
         else if (word == "--quiet")
           line.quiet = true;
+        else if (word == "--verbose")
+          line.verbose = true;
         else if (word == "--restart")
           line.restart = true;
         else if (word.rfind("--", 0) == 0)

@@ -18,6 +18,7 @@ namespace Contact
     std::vector<std::string> files;
     std::vector<std::string> overrides;
     bool                     quiet   = false;
+    bool                     verbose = false; // every iteration
     bool                     restart = false; // go on where a run ended
   };
 

@@ -15,6 +15,14 @@ namespace Contact
 {
   using namespace dealii;
 
+  std::string line_of(const Finding &finding)
+  {
+    return finding.where + (finding.is_violated ? ": violated: " : ": note: ") +
+           finding.text;
+  }
+
+
+
   void tell(const Finding &finding, Findings &told)
   {
     // In quotes are names, which may have numbers.
@@ -32,8 +40,6 @@ namespace Contact
     told.push_back(finding);
     if (!Utilities::MPI::job_supports_mpi() ||
         Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      std::cerr << finding.where
-                << (finding.is_violated ? ": violated: " : ": note: ")
-                << finding.text << std::endl;
+      std::cerr << line_of(finding) << std::endl;
   }
 } // namespace Contact

@@ -30,6 +30,9 @@ namespace Contact
 
   using Findings = std::vector<Finding>;
 
+  /// The line of a finding, with its place and kind.
+  std::string line_of(const Finding &finding);
+
   /// Print a finding on the standard error, on the first process, and add it to
   /// those that were @p told; no empty one, and no note that differs from one
   /// of them in its numbers alone.

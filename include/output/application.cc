@@ -48,12 +48,12 @@ namespace Contact
     // that of the last ones.
     RunSummary solve_robustly(const Parameters::All  &parameters,
                               const ParameterHandler &prm,
-                              const bool              verbose,
                               const SolveCase        &solve)
     {
-      RunSummary      summary = solve(parameters, prm, verbose);
+      RunSummary      summary = solve(parameters, prm);
       Parameters::All same    = parameters;
       same.in_space           = summary.in_space;
+      same.is_repeated        = true;
       for (const Parameters::All &other :
            same.with_other_loops(summary.n_displacements))
         {
@@ -71,7 +71,7 @@ namespace Contact
                             : ", Levels = 0, Refinements = " +
                                 std::to_string(other.mesh.refinements))
                       << std::endl;
-          summary = solve(other, prm, verbose);
+          summary = solve(other, prm);
         }
       return summary;
     }
@@ -82,14 +82,13 @@ namespace Contact
     // first.
     RunSummary run_case(const Parameters::All  &parameters,
                         const ParameterHandler &prm,
-                        const bool              verbose,
                         const SolveCase        &solve)
     {
-      RunSummary summary = solve_robustly(parameters, prm, verbose, solve);
+      RunSummary summary = solve_robustly(parameters, prm, solve);
       if (!asks_for_refined(parameters) || !summary.converged)
         return summary;
       const Parameters::All refined = refined_case(parameters);
-      const RunSummary other = solve_robustly(refined, prm, verbose, solve);
+      const RunSummary      other   = solve_robustly(refined, prm, solve);
       if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
         {
           std::error_code error;
@@ -194,6 +193,11 @@ namespace Contact
           read_parameters(line.files[i], line.overrides, handlers[i], cases[i]);
           cases[i].n_ranks = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
           cases[i].restart = line.restart;
+          if (line.verbose)
+            cases[i].output.screen = Parameters::Screen::full;
+          else if (line.quiet &&
+                   cases[i].output.screen != Parameters::Screen::none)
+            cases[i].output.screen = Parameters::Screen::table;
           cases[i].check();
         }
       note_signals();
@@ -218,8 +222,7 @@ namespace Contact
       std::vector<RunSummary> summaries;
       for (unsigned int i = 0; i < cases.size(); ++i)
         {
-          summaries.push_back(
-            run_case(cases[i], handlers[i], !line.quiet, solve));
+          summaries.push_back(run_case(cases[i], handlers[i], solve));
           if (summaries.back().interrupted)
             break;
         }

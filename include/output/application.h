@@ -17,10 +17,9 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// Compute one case; @p verbose asks for lines on the screen.
+  /// Compute one case.
   using SolveCase = std::function<RunSummary(const Parameters::All  &parameters,
-                                             const ParameterHandler &prm,
-                                             const bool              verbose)>;
+                                             const ParameterHandler &prm)>;
 
   /**
    * The program around the cases that are named on the command line: read all

@@ -282,9 +282,9 @@ namespace Contact
     if (is_farther("strain"))
       text += (text.empty() ? "" : "; ") + std::string("strains up to ") +
               brief(100 * earlier.at("strain")) + " %";
-    return text.empty() ? ""
-                        : "Body '" + body + "' at the load factor " +
-                            brief(load_factor) + ": " + text;
+    return text.empty()
+             ? ""
+             : "Body '" + body + "' at t = " + brief(load_factor) + ": " + text;
   }
 
 

@@ -175,8 +175,8 @@ namespace Contact
     invariants->restore(start);
     report.files().remove_series();
     report.files().write_series();
-    report.screen << "Restart behind the load factor "
-                  << report.increment().load_factor << std::endl;
+    report.screen << "Restart behind t = " << report.increment().load_factor
+                  << std::endl;
   }
 
 

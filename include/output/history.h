@@ -25,10 +25,10 @@ namespace Contact
 
   /**
    * Write the increments of the last mesh that converged as a table,
-   * history.csv: the load factor t, Newton steps, the probes that need no
-   * stresses, and for each contact pair, group of supports and kind of work
-   * what `summary.json` has. A line with names and units, then a row an
-   * increment; a field is empty where an increment has no such value.
+   * history.csv: the load factor t, Newton steps, the probes, and for each
+   * contact pair, group of supports and kind of work what `summary.json` has. A
+   * line with names and units, then a row an increment; a field is empty where
+   * an increment has no such value, as stresses where a step of a cut one ends.
    */
   void write_history(const RunSummary   &summary,
                      const HistoryUnits &units,

@@ -141,10 +141,19 @@ namespace Contact
           }
       }
     record_rotations();
+    record_probes(/*with_recovery=*/false);
+  }
+
+
+
+  template<int dim>
+  void Postprocessor<dim>::record_probes(const bool with_recovery)
+  {
     for (const auto &[name, definition] : parameters.probes.definitions())
-      if (!is_stress(definition.quantity) &&
-          definition.quantity != Parameters::Quantity::plastic_strain)
-        record.probes[name] = probe(definition);
+      if (with_recovery ==
+          (is_stress(definition.quantity) ||
+           definition.quantity == Parameters::Quantity::plastic_strain))
+        report.increment().probes[name] = probe(definition);
   }
 
 
@@ -156,6 +165,11 @@ namespace Contact
     const RotatedTie<dim> glue(model, state.solution);
     const auto           &output = parameters.output;
     const bool is_last = is_complete && k == parameters.solution.n_increments;
+    if (is_complete)
+      {
+        TimerOutput::Scope scope(report.timer, "output");
+        record_probes(/*with_recovery=*/true);
+      }
     if (is_last && model.interface)
       report.summary.contact = report.increment().contact;
     if (is_last)

@@ -64,7 +64,11 @@ namespace Contact
   private:
     ContactResults results(const ContactPair<dim> &contact_pair) const;
     void           record_rotations();
-    double         probe(const Parameters::Probes::Definition &definition);
+
+    /// Those that need stresses recovered, or the others.
+    void record_probes(const bool with_recovery);
+
+    double probe(const Parameters::Probes::Definition &definition);
     double value(const Parameters::Quantity quantity, const std::string &point);
     void   report_probes();
 

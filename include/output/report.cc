@@ -25,15 +25,18 @@ namespace Contact
   template<int dim>
   Report<dim>::Report(const Parameters::All  &parameters,
                       const ParameterHandler &prm,
-                      const bool              verbose,
                       const MPI_Comm          communicator)
     : communicator(communicator)
-    , screen(std::cout,
-             verbose && parameters.output.screen == Parameters::Screen::full &&
-               Utilities::MPI::this_mpi_process(communicator) == 0)
+    , run_log(parameters.output.screen,
+              Utilities::MPI::this_mpi_process(communicator) == 0)
+    , log(run_log.details(), run_log.is_active)
+    , screen(run_log.lines(), run_log.is_active)
     , timer(std::cout, TimerOutput::never, TimerOutput::cpu_and_wall_times)
     , parameters(parameters)
     , prm(prm)
+    , progress(run_log.is_active && run_log.has_lines_only(),
+               parameters.refinement.n_levels,
+               Utilities::pow(2, dim))
   {
     summary.case_name = parameters.name;
     summary.mesh_file =
@@ -56,6 +59,8 @@ namespace Contact
     // A scene that cannot be set up has its message already.
     if (summary.message.empty())
       summary.message = "the run has not ended";
+    run_log.open(result_files->directory / "log.txt",
+                 parameters.restart || parameters.is_repeated);
     if (goes_on)
       return;
     result_files->remove_series();
@@ -99,9 +104,10 @@ namespace Contact
     IncrementRecord &record = summary.increments.back();
     record.level            = level;
     record.load_factor      = load_factor;
-    screen << "Increment " << increment << " of "
-           << parameters.solution.n_increments << ", load factor "
-           << load_factor << std::endl;
+    increment_timer.restart();
+    log << "Increment " << increment << " of "
+        << parameters.solution.n_increments << ", t = " << load_factor
+        << std::endl;
   }
 
 
@@ -111,9 +117,42 @@ namespace Contact
   {
     IncrementRecord &record = increment();
     record.converged        = true;
-    screen << "  converged: " << record.newton_iterations << " Newton steps, "
-           << record.friction_iterations << " friction iterations, "
-           << record.geometry_iterations << " geometry iterations" << std::endl;
+    log << "  converged: " << record.newton_iterations << " Newton steps, "
+        << record.friction_iterations << " friction iterations, "
+        << record.geometry_iterations << " geometry iterations" << std::endl;
+  }
+
+
+
+  template<int dim>
+  void Report<dim>::give_up_increment(const std::string &reason)
+  {
+    increment().message = reason;
+    if (run_log.is_active)
+      lines()
+        << increment_table.row_without_solution(increment(),
+                                                increment_timer.wall_time())
+        << std::flush;
+    log << "  " << reason << std::endl;
+  }
+
+
+
+  template<int dim>
+  void Report<dim>::print_increment()
+  {
+    if (run_log.is_active)
+      lines() << increment_table.row(increment(), increment_timer.wall_time())
+              << std::flush;
+  }
+
+
+
+  template<int dim>
+  std::ostream &Report<dim>::lines()
+  {
+    progress.clear();
+    return run_log.lines();
   }
 
 
@@ -129,14 +168,20 @@ namespace Contact
     for (const Effect &effect : effects)
       summary.effects[effect.name] = effect.choice;
 
+    if (run_log.is_active)
+      print_effects(run_log.details(), effects);
     screen << "Case " << parameters.name << ": "
            << model.mesh->triangulation.n_global_active_cells() << " cells of "
            << summary.mesh_file << ", " << summary.n_displacements
-           << " displacements, " << summary.n_multipliers << " multipliers"
-           << std::endl;
-    if (screen.is_active())
-      print_effects(screen.get_stream(), effects);
+           << " displacements, " << summary.n_multipliers << " multipliers, "
+           << system << std::endl;
     tell(notes_on_scene(model, parameters));
+    std::vector<std::string> pairs;
+    if (model.interface)
+      for (const auto &contact_pair : model.interface->pairs)
+        pairs.push_back(contact_pair->name);
+    increment_table.set_columns(pairs, units());
+    screen << increment_table.head() << std::flush;
   }
 
 
@@ -146,10 +191,12 @@ namespace Contact
                                 const unsigned int       level,
                                 const std::string       &system)
   {
-    screen << "Level " << level << ": "
-           << model.mesh->triangulation.n_global_active_cells() << " cells, "
-           << summary.n_displacements << " displacements, "
-           << summary.n_multipliers << " multipliers, " << system << std::endl;
+    if (run_log.is_active)
+      lines() << "Level " << level << ": "
+              << model.mesh->triangulation.n_global_active_cells() << " cells, "
+              << summary.n_displacements << " displacements, "
+              << summary.n_multipliers << " multipliers, " << system
+              << std::endl;
   }
 
 
@@ -160,16 +207,17 @@ namespace Contact
                                const double             residual,
                                const unsigned int       n_changes)
   {
-    screen << "    Newton " << std::setw(2) << step << "  residual "
-           << std::scientific << std::setprecision(3) << residual
-           << std::defaultfloat << std::setprecision(6);
+    log << "    Newton " << std::setw(2) << step << "  residual "
+        << std::scientific << std::setprecision(3) << residual
+        << std::defaultfloat << std::setprecision(6);
     if (model.interface)
       {
         const StatusCount count = model.interface->active_set.count();
-        screen << "  active " << count.active << "  stick " << count.stick
-               << "  changes " << n_changes;
+        log << "  active " << count.active << "  stick " << count.stick
+            << "  changes " << n_changes;
       }
-    screen << std::endl;
+    log << std::endl;
+    progress.draw(summary, step);
   }
 
 
@@ -179,7 +227,7 @@ namespace Contact
   {
     increment().halved_steps += residuals.size();
     for (const double residual : residuals)
-      screen << "      half of this step: residual " << residual << std::endl;
+      log << "      half of this step: residual " << residual << std::endl;
   }
 
 
@@ -207,10 +255,15 @@ namespace Contact
     if (has_begun && parameters.refinement.n_levels > 0)
       where += ", level " + std::to_string(level);
     if (has_begun)
-      where += ", load factor " + brief(increment().load_factor);
+      where += ", t = " + brief(increment().load_factor);
+    progress.clear();
+    const auto n_told = summary.findings.size();
     for (const Finding &finding : findings)
       Contact::tell({finding.text, finding.is_violated, where, level},
                     summary.findings);
+    if (run_log.is_active)
+      for (auto i = n_told; i < summary.findings.size(); ++i)
+        run_log.log_only() << line_of(summary.findings[i]) << std::endl;
   }
 
 
@@ -245,13 +298,13 @@ namespace Contact
                                increment().bodies.at(name),
                                parameters.solids)})
           if (!text.empty())
-            screen << text << std::endl;
+            last_lines += text + '\n';
       }
     const auto &works = increment().works;
     if (const auto found = works.find("plastic_dissipation");
         found != works.end() && found->second > 0)
-      screen << "Dissipated by yielding: " << found->second << " N mm"
-             << discretization->per_thickness() << std::endl;
+      last_lines += "Dissipated by yielding: " + brief(found->second) +
+                    " N mm" + discretization->per_thickness() + '\n';
   }
 
 
@@ -298,7 +351,7 @@ namespace Contact
 
 
   template<int dim>
-  void Report<dim>::write_history() const
+  HistoryUnits Report<dim>::units() const
   {
     const auto unit = [&](const Parameters::Quantity quantity) {
       return unit_of(quantity, parameters.solids.symmetry, dim == 3);
@@ -308,8 +361,16 @@ namespace Contact
                        {}};
     for (const auto &[name, definition] : parameters.probes.definitions())
       units.probes.emplace_back(name, unit(definition.quantity));
+    return units;
+  }
+
+
+
+  template<int dim>
+  void Report<dim>::write_history() const
+  {
     result_files->write_first("history.csv", [&](std::ostream &out) {
-      Contact::write_history(summary, units, out);
+      Contact::write_history(summary, units(), out);
     });
   }
 
@@ -351,14 +412,36 @@ namespace Contact
     if (summary.converged)
       result_files->remove("restart[0-9._]*bin");
 
-    if (screen.is_active())
-      {
-        print_levels(screen.get_stream(), summary);
-        print_accuracy(screen.get_stream(), summary);
-        print_estimated_effects(screen.get_stream(), summary);
-        print_counters(screen.get_stream(), summary);
-        screen << "Results: " << result_files->directory.string() << std::endl;
-      }
+    if (run_log.is_active)
+      print_end();
+  }
+
+
+
+  template<int dim>
+  void Report<dim>::print_end()
+  {
+    std::ostream &out = lines();
+    print_levels(run_log.details(), summary);
+    print_counters(run_log.details(), summary);
+    out << last_lines;
+    print_accuracy(out, summary);
+    print_estimated_effects(out, summary);
+    print_table(run_log.log_only(), {summary});
+    const auto n_violated =
+      std::count_if(summary.findings.begin(),
+                    summary.findings.end(),
+                    [](const Finding &finding) { return finding.is_violated; });
+    double seconds = 0;
+    for (const auto &phase : summary.time)
+      seconds += phase.second.wall;
+    if (!summary.findings.empty())
+      out << "Notes: " << summary.findings.size() - n_violated
+          << ", violated invariants: " << n_violated
+          << " (all in summary.json)\n";
+    out << "Results: " << result_files->directory.string() << " ("
+        << brief(seconds) << " s, " << brief(summary.peak_memory_mb)
+        << " MB; every iteration is in log.txt)" << std::endl;
   }
 
   template class Report<2>;

@@ -15,7 +15,10 @@
 
 #include "model/contact_model.h"
 #include "output/body_results.h"
+#include "output/increment_table.h"
+#include "output/progress_bar.h"
 #include "output/result_files.h"
+#include "output/run_log.h"
 #include "output/summary.h"
 #include "verification/invariants.h"
 
@@ -24,8 +27,8 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * The report of a run: lines on the screen, the time of its phases, and its
-   * summary, which is written after each increment.
+   * The report of a run: lines on the screen and in log.txt, the time of its
+   * phases, and its summary, which is written after each increment.
    */
   template<int dim>
   class Report
@@ -33,13 +36,20 @@ namespace Contact
   public:
     Report(const Parameters::All  &parameters,
            const ParameterHandler &prm,
-           const bool              verbose,
            const MPI_Comm          communicator);
 
-    const MPI_Comm     communicator;
-    ConditionalOStream screen;
-    TimerOutput        timer;
-    RunSummary         summary;
+    const MPI_Comm communicator;
+
+  private:
+    RunLog run_log;
+
+  public:
+    /// The lines of iterations and loops, which the screen has if it is asked
+    /// to have everything; and those that it has anyway.
+    ConditionalOStream log, screen;
+
+    TimerOutput timer;
+    RunSummary  summary;
 
     /// That of the present increment.
     IncrementRecord &increment()
@@ -74,6 +84,12 @@ namespace Contact
                          const unsigned int increment,
                          const double       load_factor);
     void end_increment();
+
+    /// The attempt at an increment has no solution, for this reason.
+    void give_up_increment(const std::string &reason);
+
+    /// One line for the increment, once all of its results are known.
+    void print_increment();
 
     /// The effects that the scene switches on.
     void print_scene(const ContactModel<dim> &model, const std::string &system);
@@ -125,8 +141,20 @@ namespace Contact
     void finish();
 
   private:
+    HistoryUnits units() const;
+
+    /// The sums at the end of the run.
+    void print_end();
+
+    /// The lines of the screen, which are written over the bar.
+    std::ostream &lines();
+
     const Parameters::All            &parameters;
     const ParameterHandler           &prm;
+    IncrementTable                    increment_table;
+    ProgressBar                       progress;
+    Timer                             increment_timer;
+    std::string                       last_lines; // of the bodies, at the end
     std::string                       printed_parameters;
     std::unique_ptr<ResultFiles<dim>> result_files;
     const Discretization<dim> *discretization = nullptr; // once files are open

@@ -6,6 +6,8 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "base/string_utilities.h"
 #include "output/notes.h"
@@ -207,10 +209,40 @@ namespace Contact
 
 
 
+    /// The force that is round-off beside those that act, or, if bodies move
+    /// as a whole and none acts, beside those that such displacements would
+    /// need if they deformed them.
+    template<int dim>
+    double round_off_force(const ContactModel<dim> &model,
+                           const GhostedVector     &solution,
+                           const RunSummary        &summary)
+    {
+      double force = summary.increments.empty()
+                       ? 0.
+                       : summary.increments.back().round_off_force;
+      for (const auto &contact_pair : model.interface->pairs)
+        {
+          const Surface<dim> &slave = contact_pair->slave;
+          double              moved = 0;
+          for (const SurfaceNode<dim> &node : slave.nodes)
+            for (const auto dof : node.dofs)
+              moved = std::max(moved, std::abs(solution[dof]));
+          force =
+            std::max(force,
+                     1e3 * std::numeric_limits<double>::epsilon() *
+                       model.elasticity->youngs_modulus(slave.facets[0].body) *
+                       moved * std::pow(slave.reference_length(0), dim - 2));
+        }
+      return force;
+    }
+
+
+
     template<int dim>
     void add_note_on_idleness(const RunSummary            &summary,
                               const ContactInterface<dim> &interface,
                               const GhostedVector         &solution,
+                              const double                 round_off_force,
                               Findings                    &findings)
     {
       bool touches   = false;
@@ -224,7 +256,8 @@ namespace Contact
             continue;
           is_loaded = is_loaded || increment.works.at("strain_energy") != 0;
           for (const auto &[name, values] : increment.contact)
-            touches = touches || values.at("normal_force") != 0;
+            touches =
+              touches || std::abs(values.at("normal_force")) > round_off_force;
         }
       if (!is_loaded)
         findings.push_back(
@@ -275,13 +308,15 @@ namespace Contact
     add_note_on_solver(parameters, model, findings);
     if (!model.interface)
       return findings;
-    add_note_on_idleness(summary, *model.interface, solution, findings);
     add_notes_on_roundness(parameters, *model.interface, solution, findings);
     add_notes_on_held_nodes(parameters, *model.interface, solution, findings);
-    const double round_off_force =
-      summary.increments.empty() ? 0.
-                                 : summary.increments.back().round_off_force;
-    add_notes_on_free_motions(model, solution, round_off_force, findings);
+    const double round_off = round_off_force(model, solution, summary);
+    add_note_on_idleness(summary,
+                         *model.interface,
+                         solution,
+                         round_off,
+                         findings);
+    add_notes_on_free_motions(model, solution, round_off, findings);
     return findings;
   }
 

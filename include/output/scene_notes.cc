@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "base/string_utilities.h"
+#include "contact/results/contact_depth.h"
 #include "output/notes.h"
 #include "parameters/formula.h"
 
@@ -197,6 +198,34 @@ namespace Contact
 
 
 
+    // A press fit may be drawn so; a body in a wrong place is, too.
+    template<int dim>
+    void add_notes_on_overlaps(const ContactModel<dim> &model,
+                               Findings                &findings)
+    {
+      const GhostedVector undeformed(model.discretization->distribution);
+      for (const auto &contact_pair : model.interface->pairs)
+        {
+          if (contact_pair->tied)
+            continue;
+          const ContactDepth<dim> deepest =
+            largest_depth(*contact_pair, undeformed, /*as_drawn=*/false);
+          if (deepest.depth >
+              contact_pair->slave.unresolved_length(deepest.slave_facet))
+            findings.push_back(
+              {std::string("the bodies overlap by ") + brief(deepest.depth) +
+               " mm in the mesh: there the place of the " +
+               (deepest.of_master ? "master" : "slave") + " of '" +
+               contact_pair->section() + "' at X = (" + brief(deepest.X) +
+               ") mm is inside of the " +
+               (contact_pair->obstacle ? "obstacle" : "other body") +
+               ". The first increment presses them apart: move one of them, "
+               "unless it is a press fit"});
+        }
+    }
+
+
+
     // Glue holds the displacements of both surfaces together, wherever they
     // are.
     template<int dim>
@@ -287,6 +316,7 @@ namespace Contact
     for (const auto &contact_pair : parameters.pairs())
       add_notes_on_arcs(parameters, model, contact_pair, findings);
     add_notes_on_facing(parameters, *model.interface, findings);
+    add_notes_on_overlaps(model, findings);
     add_notes_on_glue(parameters, *model.interface, findings);
     add_notes_on_roles(parameters, model, findings);
     return findings;

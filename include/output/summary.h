@@ -88,8 +88,9 @@ namespace Contact
     /// [rad].
     std::map<std::string, Tensor<1, 3>> rotations;
 
-    /// The probes that need no stresses by name; and what contact exerts by
-    /// contact pair, see ContactResults.
+    /// The probes by name, those of stresses and plastic strains where an
+    /// increment of the last mesh ends; and what contact exerts by contact
+    /// pair, see ContactResults.
     std::map<std::string, double>                        probes;
     std::map<std::string, std::map<std::string, double>> contact;
 

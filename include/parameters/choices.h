@@ -243,6 +243,7 @@ namespace Contact
     enum class Screen
     {
       full,
+      increments,
       table,
       none
     };
@@ -250,6 +251,7 @@ namespace Contact
     inline NamedValues<Screen> named_values(const Screen)
     {
       return {{"full", Screen::full},
+              {"increments", Screen::increments},
               {"table", Screen::table},
               {"none", Screen::none}};
     }

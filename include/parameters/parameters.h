@@ -70,6 +70,9 @@ namespace Contact
       /// Go on behind the last increment of an interrupted run.
       bool restart = false;
 
+      /// Whether a run by other loops goes before this one.
+      bool is_repeated = false;
+
       /// Whether the mesh is refined until probes are accurate.
       bool asks_for_accuracy() const
       {

@@ -245,8 +245,9 @@ namespace Contact
                         "[-].");
       prm.add_parameter("Screen",
                         screen,
-                        "What is printed [-]; full: all iterations and the "
-                        "table of results, table: the table, none: nothing.");
+                        "What is printed [-]; increments: a line for each and "
+                        "the table of results, full: all iterations as well, "
+                        "table: the table, none: nothing.");
       prm.add_parameter("VTU",
                         vtu,
                         "Whether displacements and stresses of each increment "

@@ -173,7 +173,7 @@ namespace Contact
     {
       std::string directory = "output";
 
-      Choice<Screen> screen = Screen::full;
+      Choice<Screen> screen = Screen::increments;
 
       bool vtu     = false;
       bool profile = false;

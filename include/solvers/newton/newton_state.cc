@@ -385,8 +385,8 @@ namespace Contact
       state.largest_change(model, state.start) / *expected_way;
     if (leap <= largest_leap)
       return "";
-    return "up to the load factor " + brief(state.load_factor) +
-           " the bodies move " + brief(leap) +
+    return "up to t = " + brief(state.load_factor) + " the bodies move " +
+           brief(leap) +
            " times as far as the tangent of the increment's start says: they "
            "may have snapped through, or found another support. The way there "
            "is not one of equilibrium. More increments show where it begins; "

@@ -5,146 +5,17 @@
 
 #include "solvers/rigid_pieces/rigid_body_modes.h"
 
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/symmetric_tensor.h>
-#include <deal.II/lac/lapack_full_matrix.h>
-
 #include <algorithm>
-#include <cmath>
 #include <map>
+#include <set>
 
 #include "base/errors.h"
+#include "solvers/rigid_pieces/resisted_motions.h"
 
 namespace Contact
 {
   namespace
   {
-    /// A part of a displacement: @p factor times that of a piece at X.
-    template<int dim>
-    struct Share
-    {
-      unsigned int piece;
-      Point<dim>   X;
-      double       factor;
-    };
-
-
-
-    /// The resisted directions, in terms of the rigid motions of all pieces:
-    /// displacements, and rotations about the centre times the size.
-    template<int dim>
-    class ResistedMotions
-    {
-    public:
-      static constexpr unsigned int n_motions = dim * (dim + 1) / 2;
-
-      ResistedMotions(const MeshPieces<dim> &pieces,
-                      const Rotations<dim>  &rotations)
-        : pieces(pieces)
-        , rotations(rotations)
-        , squares(n_motions * pieces.size(), n_motions * pieces.size())
-      {
-      }
-
-      /// The sum of the shares is resisted along @p direction.
-      void resist(const std::vector<Share<dim>> &shares,
-                  const Tensor<1, dim>          &direction)
-      {
-        std::map<unsigned int, double> row;
-        for (const auto &[piece, X, factor] : shares)
-          {
-            const auto    &box  = pieces[piece].box;
-            const auto    &ends = box.get_boundary_points();
-            Tensor<1, dim> arm =
-              (X - box.center()) / (0.5 * ends.first.distance(ends.second));
-            if (const auto turned = rotations.find(pieces[piece].body);
-                turned != rotations.end())
-              arm = turned->second * arm;
-            for (unsigned int m = 0; m < n_motions; ++m)
-              row[n_motions * piece + m] +=
-                factor * (direction * rigid_motion(m, arm));
-          }
-        for (const auto &[i, a] : row)
-          for (const auto &[j, b] : row)
-            squares(i, j) += a * b;
-      }
-
-      /// A motion of each piece by itself is resisted.
-      void resist(const unsigned int motion)
-      {
-        for (unsigned int piece = 0; piece < pieces.size(); ++piece)
-          squares(n_motions * piece + motion, n_motions * piece + motion) += 1;
-      }
-
-      /// Add what the other ranks have.
-      void sum(const MPI_Comm communicator)
-      {
-        Utilities::MPI::sum(squares, communicator, squares);
-      }
-
-      /// The orthogonal projection onto the motions that are free.
-      FullMatrix<double> projection_onto_free() const;
-
-    private:
-      const MeshPieces<dim> &pieces;
-      const Rotations<dim>  &rotations;
-      FullMatrix<double>     squares;
-    };
-
-
-
-    // Rows that resist the same motion many times would hide others that one
-    // row resists: all diagonal entries are scaled to one, but those that are
-    // round-off beside the others of their piece.
-    template<int dim>
-    FullMatrix<double> ResistedMotions<dim>::projection_onto_free() const
-    {
-      const double        round_off = 1e-10;
-      const unsigned int  n         = squares.m();
-      std::vector<double> scale(n);
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          double largest = 0;
-          for (unsigned int j = i - i % n_motions;
-               j < i - i % n_motions + n_motions;
-               ++j)
-            largest = std::max(largest, squares(j, j));
-          const double square = std::max(squares(i, i), round_off * largest);
-          scale[i]            = square > 0 ? 1 / std::sqrt(square) : 1;
-        }
-
-      LAPACKFullMatrix<double> scaled(n);
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          scaled(i, j) = scale[i] * squares(i, j) * scale[j];
-      Vector<double>     values;
-      FullMatrix<double> modes;
-      scaled.compute_eigenvalues_symmetric(-1, round_off, 0, values, modes);
-
-      // Unscaled, the modes are no longer orthonormal (Gram and Schmidt, twice
-      // because of round-off).
-      FullMatrix<double>          projection(n, n);
-      std::vector<Vector<double>> basis;
-      for (unsigned int m = 0; m < values.size(); ++m)
-        {
-          Vector<double> mode(n);
-          for (unsigned int i = 0; i < n; ++i)
-            mode[i] = scale[i] * modes(i, m);
-          mode /= mode.l2_norm();
-          for (unsigned int pass = 0; pass < 2; ++pass)
-            for (const Vector<double> &other : basis)
-              mode.add(-(mode * other), other);
-          mode /= mode.l2_norm();
-          for (unsigned int i = 0; i < n; ++i)
-            for (unsigned int j = 0; j < n; ++j)
-              projection(i, j) += mode[i] * mode[j];
-          basis.push_back(mode);
-        }
-      return projection;
-    }
-
-
-
     /// Supports, vertex by vertex, and what rings resist by themselves: growing
     /// and turning inside out.
     template<int dim>
@@ -299,16 +170,31 @@ namespace Contact
 
 
 
-    /// All nodes that may come into contact, whatever it be with.
+    /// Contact wherever it may be: slaves move with whatever piece of the
+    /// master they may touch.
     template<int dim>
     void resist_where_contact_may_be(const ContactInterface<dim> &interface,
                                      ResistedMotions<dim>        &motions)
     {
-      for_facets(interface, [&](const auto &facet, const auto &node) {
-        for (unsigned int c = 0; c < dim; ++c)
-          motions.resist({{facet.piece, node.X, 1}},
-                         Point<dim>::unit_vector(c));
-      });
+      for (const auto &contact_pair : interface.pairs)
+        {
+          std::set<unsigned int> masters;
+          if (contact_pair->master)
+            for (const SurfaceFacet<dim> &facet : contact_pair->master->facets)
+              masters.insert(facet.piece);
+          const Surface<dim> &slave = contact_pair->slave;
+          for (const SurfaceFacet<dim> &facet : slave.facets)
+            for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+              for (unsigned int c = 0; c < dim; ++c)
+                {
+                  const Point<dim> &X = slave.nodes[facet.nodes[a]].X;
+                  const auto        e = Point<dim>::unit_vector(c);
+                  if (masters.empty())
+                    motions.resist({{facet.piece, X, 1}}, e);
+                  for (const unsigned int master : masters)
+                    motions.resist({{facet.piece, X, 1}, {master, X, -1}}, e);
+                }
+        }
     }
 
 
@@ -420,13 +306,17 @@ namespace Contact
     if (interface != nullptr)
       resist_where_contact_may_be(*interface, motions);
     const auto free = find_free(discretization.mesh.pieces, motions);
-    if (!free.empty())
-      throw InputError("nothing holds " +
-                         discretization.mesh.piece_name(free.front().piece) +
-                         " against: " + free.front().name,
-                       "Boundary conditions, Contact",
-                       "support it in that motion, tie a point of it, or "
-                       "give it a surface that can touch another body");
+    if (free.empty())
+      return;
+    std::string pieces = discretization.mesh.piece_name(free[0].piece);
+    for (unsigned int i = 1; i < free.size(); ++i)
+      if (free[i].name == free[0].name)
+        pieces +=
+          ", nor with it " + discretization.mesh.piece_name(free[i].piece);
+    throw InputError("nothing holds " + pieces + " against: " + free[0].name,
+                     "Boundary conditions, Contact",
+                     "support it in that motion, tie a point of it, or "
+                     "give it a surface that can touch another body");
   }
 
   template std::vector<RigidBodyMode>
