@@ -374,33 +374,26 @@ namespace Contact
         discretization.distribute(constraints, solution);
   }
 
-  template void check_adaptive(const Mesh<2> &mesh);
-  template void check_adaptive(const Mesh<3> &mesh);
   template void flag_cells(Mesh<2>             &mesh,
                            const Vector<float> &indicators,
                            const double         fraction);
   template void
-                flag_slave_like_master(Mesh<2>                            &mesh,
-                                       const std::set<types::boundary_id> &slave,
-                                       const std::set<types::boundary_id> &master);
-  template void flag_by_indicators(const ContactModel<2> &model,
-                                   const Parameters::All &parameters,
-                                   const Vector<float>   &indicators);
-  template void flag_by_indicators(const ContactModel<3> &model,
-                                   const Parameters::All &parameters,
-                                   const Vector<float>   &indicators);
-  template void flag_close_surfaces(const ContactModel<2> &model,
-                                    const Parameters::All &parameters,
-                                    const GhostedVector   &solution);
-  template void flag_close_surfaces(const ContactModel<3> &model,
-                                    const Parameters::All &parameters,
-                                    const GhostedVector   &solution);
-  template void flag_all_cells(Mesh<2> &mesh);
-  template void flag_all_cells(Mesh<3> &mesh);
-  template void refine_and_transfer(Mesh<2>                    &mesh,
-                                    Discretization<2>          &discretization,
+  flag_slave_like_master(Mesh<2>                            &mesh,
+                         const std::set<types::boundary_id> &slave,
+                         const std::set<types::boundary_id> &master);
+#define INSTANTIATE(dim)                                                        \
+  template void check_adaptive(const Mesh<dim> &mesh);                          \
+  template void flag_by_indicators(const ContactModel<dim> &model,              \
+                                   const Parameters::All   &parameters,         \
+                                   const Vector<float>     &indicators);            \
+  template void flag_close_surfaces(const ContactModel<dim> &model,             \
+                                    const Parameters::All   &parameters,        \
+                                    const GhostedVector     &solution);             \
+  template void flag_all_cells(Mesh<dim> &mesh);                                \
+  template void refine_and_transfer(Mesh<dim>                  &mesh,           \
+                                    Discretization<dim>        &discretization, \
                                     std::vector<GhostedVector> &solutions);
-  template void refine_and_transfer(Mesh<3>                    &mesh,
-                                    Discretization<3>          &discretization,
-                                    std::vector<GhostedVector> &solutions);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Contact

@@ -431,14 +431,6 @@ namespace Contact
 
 
   template<int dim>
-  bool Mesh<dim>::has_only_hypercubes() const
-  {
-    return triangulation.all_reference_cells_are_hyper_cube();
-  }
-
-
-
-  template<int dim>
   bool Mesh<dim>::is_complete() const
   {
     return dynamic_cast<const parallel::distributed::Triangulation<dim> *>(
@@ -456,16 +448,6 @@ namespace Contact
     Assert(false, ExcMessage("There is no such body."));
     return "";
   }
-
-
-
-  template<int dim>
-  std::string Mesh<dim>::piece_name(const unsigned int piece) const
-  {
-    return pieces.describe(piece, body_name(pieces[piece].body));
-  }
-
-
 
   template class Mesh<2>;
   template class Mesh<3>;

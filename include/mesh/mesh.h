@@ -137,7 +137,10 @@ namespace Contact
     std::set<unsigned int> coarse_vertices(const std::string &name) const;
 
     /// Whether there are no triangles, so that cells can be refined one by one.
-    bool has_only_hypercubes() const;
+    bool has_only_hypercubes() const
+    {
+      return triangulation.all_reference_cells_are_hyper_cube();
+    }
 
     /// Whether this rank has the whole mesh.
     bool is_complete() const;
@@ -146,7 +149,10 @@ namespace Contact
     std::string body_name(const types::material_id id) const;
 
     /// The name of a piece in messages, see MeshPieces::describe().
-    std::string piece_name(const unsigned int piece) const;
+    std::string piece_name(const unsigned int piece) const
+    {
+      return pieces.describe(piece, body_name(pieces[piece].body));
+    }
 
     /// Of the mesh @p msh, which has cells of this dimension.
     Mesh(const Parameters::Mesh &parameters,

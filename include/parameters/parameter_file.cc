@@ -152,16 +152,10 @@ namespace Contact
   {
     for (const Statement &statement : read_statements(in))
       read_statement(statement.text, place_in(file, statement.line));
-    check_section_closed();
-  }
-
-
-
-  ParameterReader::Place
-  ParameterReader::place_in(const std::filesystem::path &file,
-                            const unsigned int           line)
-  {
-    return {file.string() + ":" + std::to_string(line), file.parent_path()};
+    if (section != open_files.back().outer_section)
+      throw InputError("Section " + in_quotes(section) + " is not closed.",
+                       section_place.name,
+                       "add the missing 'end'");
   }
 
 
@@ -180,7 +174,7 @@ namespace Contact
     else if (action == "end" && rest.empty())
       leave_section(place);
     else if (action == "include" && !rest.empty())
-      read_include(rest, place);
+      read_file((place.directory / rest).lexically_normal(), place.name);
     else if (action == "set")
       read_assignment(section, rest, place, open_files.back().settings);
     else
@@ -188,14 +182,6 @@ namespace Contact
                        place.name,
                        "a line is 'subsection name', 'set name = value', "
                        "'include file' or 'end'; a comment starts with #");
-  }
-
-
-
-  void ParameterReader::read_include(const std::string &file,
-                                     const Place       &place)
-  {
-    read_file((place.directory / file).lexically_normal(), place.name);
   }
 
 
@@ -227,16 +213,6 @@ namespace Contact
                        place.name,
                        "remove this 'end'");
     section = "";
-  }
-
-
-
-  void ParameterReader::check_section_closed() const
-  {
-    if (section != open_files.back().outer_section)
-      throw InputError("Section " + in_quotes(section) + " is not closed.",
-                       section_place.name,
-                       "add the missing 'end'");
   }
 
 

@@ -88,16 +88,17 @@ namespace Contact
     };
 
     static Place place_in(const std::filesystem::path &file,
-                          const unsigned int           line);
+                          const unsigned int           line)
+    {
+      return {file.string() + ":" + std::to_string(line), file.parent_path()};
+    }
 
     void read_prm(std::istream &in, const std::filesystem::path &file);
     void read_json(std::istream &in, const std::filesystem::path &file);
 
     void read_statement(const std::string &statement, const Place &place);
-    void read_include(const std::string &file, const Place &place);
     void enter_section(const std::string &name, const Place &place);
     void leave_section(const Place &place);
-    void check_section_closed() const;
     void read_assignment(const std::string &in_section,
                          const std::string &assignment,
                          const Place       &place,

@@ -195,7 +195,7 @@ namespace Contact
       for (const JsonValue &file : files.elements)
         read_json_includes(file, place);
     else if (files.type == Type::scalar)
-      read_include(files.text, place);
+      read_file((place.directory / files.text).lexically_normal(), place.name);
     else
       throw InputError(wrong_type(files, "the name of a file"),
                        place.name,

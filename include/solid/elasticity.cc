@@ -127,16 +127,6 @@ namespace Contact
 
 
 
-  template<int dim>
-  bool Elasticity<dim>::is_linear() const
-  {
-    return std::all_of(kernels.begin(), kernels.end(), [](const auto &kernel) {
-      return kernel.second->is_linear();
-    });
-  }
-
-
-
   // With the strain of a stretch 1 + e in large displacement: such a body is
   // without stress where it is longer by e.
   template<int dim>
@@ -186,26 +176,6 @@ namespace Contact
 
 
   template<int dim>
-  bool Elasticity<dim>::is_elastic() const
-  {
-    return std::all_of(laws.begin(), laws.end(), [](const auto &law) {
-      return law.second->is_linear();
-    });
-  }
-
-
-
-  template<int dim>
-  bool Elasticity<dim>::is_hyperelastic() const
-  {
-    return std::any_of(laws.begin(), laws.end(), [](const auto &law) {
-      return !law.second->is_linear() && law.second->n_history() == 0;
-    });
-  }
-
-
-
-  template<int dim>
   double Elasticity<dim>::cell_forces(const CellTable<dim> &cell,
                                       const Vector<double> &u,
                                       const StressStiffness stress_stiffness,
@@ -229,16 +199,6 @@ namespace Contact
     Vector<double> forces_before(forces.size());
     cell.kernel->forces(start, u, stress_stiffness, tangent, forces_before);
     return cell.kernel->forces(cell, u, stress_stiffness, nullptr, forces);
-  }
-
-
-
-  template<int dim>
-  bool Elasticity<dim>::has_history() const
-  {
-    return std::any_of(laws.begin(), laws.end(), [](const auto &law) {
-      return law.second->n_history() > 0;
-    });
   }
 
 
@@ -283,9 +243,8 @@ namespace Contact
                                   const double         load_factor,
                                   GhostedVector       &rhs) const
   {
-    const auto [first, end] = discretization.distribution->local_range();
-    const auto load         = loads(u, load_factor);
-    for (auto i = first; i < end; ++i)
+    const auto load = loads(u, load_factor);
+    for (const auto i : discretization.dof_handler.locally_owned_dofs())
       if (load[i] != 0)
         discretization.constraints.distribute_local_to_global(i, load[i], rhs);
   }
@@ -481,8 +440,6 @@ namespace Contact
         pattern,
         /*keep_constrained_entries=*/false);
   }
-
-
 
   template VolumeRatio<2> smallest_of_all_ranks(const VolumeRatio<2> &,
                                                 const MPI_Comm);

@@ -11,6 +11,7 @@
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <map>
@@ -202,15 +203,32 @@ namespace Contact
                                                 const GhostedVector &u) const;
 
     /// The tangent does not depend on the displacement.
-    bool is_linear() const;
+    bool is_linear() const
+    {
+      return std::all_of(kernels.begin(),
+                         kernels.end(),
+                         [](const auto &kernel) {
+                           return kernel.second->is_linear();
+                         });
+    }
 
     /// Whether all bodies are linear elastic or St. Venant-Kirchhoff's.
-    bool is_elastic() const;
+    bool is_elastic() const
+    {
+      return std::all_of(laws.begin(), laws.end(), [](const auto &law) {
+        return law.second->is_linear();
+      });
+    }
 
     /// Whether there are materials with a stored energy of their own. Where
     /// they are nearly incompressible, the pressure of a volume that Newton's
     /// method has still to correct makes the tangent indefinite.
-    bool is_hyperelastic() const;
+    bool is_hyperelastic() const
+    {
+      return std::any_of(laws.begin(), laws.end(), [](const auto &law) {
+        return !law.second->is_linear() && law.second->n_history() == 0;
+      });
+    }
 
     /// Whether the tangent changes in cells that yield alone, and these cells
     /// among those with the numbers @p chosen.
@@ -264,7 +282,12 @@ namespace Contact
 
     /// Whether any body may yield, and the equivalent plastic strains [-] of
     /// the last increment that was accepted, as stresses() has it.
-    bool                             has_history() const;
+    bool has_history() const
+    {
+      return std::any_of(laws.begin(), laws.end(), [](const auto &law) {
+        return law.second->n_history() > 0;
+      });
+    }
     std::vector<std::vector<double>> plastic_strains() const;
 
     /// An increment ends with the displacements @p u: the history of all points

@@ -179,20 +179,16 @@ namespace Contact
 
 
 
-  template std::vector<BoundNode>
-                                     bound_nodes(const Discretization<2> &,
-                                                 const DoFHandler<2>::active_cell_iterator &);
-  template void                      bind_centres(const Discretization<2> &,
-                                                  AffineConstraints<double> &);
-  template AffineConstraints<double> followers(const Discretization<2> &);
-  template void hand_over_from_followers(const Discretization<2> &,
+#define INSTANTIATE(dim)                                                        \
+  template std::vector<BoundNode> bound_nodes(                                  \
+    const Discretization<dim> &,                                                \
+    const DoFHandler<dim>::active_cell_iterator &);                             \
+  template void                      bind_centres(const Discretization<dim> &,  \
+                                                  AffineConstraints<double> &); \
+  template AffineConstraints<double> followers(const Discretization<dim> &);    \
+  template void hand_over_from_followers(const Discretization<dim> &,           \
                                          GhostedVector &);
-  template std::vector<BoundNode>
-                                     bound_nodes(const Discretization<3> &,
-                                                 const DoFHandler<3>::active_cell_iterator &);
-  template void                      bind_centres(const Discretization<3> &,
-                                                  AffineConstraints<double> &);
-  template AffineConstraints<double> followers(const Discretization<3> &);
-  template void hand_over_from_followers(const Discretization<3> &,
-                                         GhostedVector &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Contact

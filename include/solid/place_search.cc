@@ -16,6 +16,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/constraint_entries.h"
 #include "base/errors.h"
 #include "base/string_utilities.h"
 #include "mesh/coarse_mesh.h"
@@ -297,11 +298,11 @@ namespace Contact
         {
           auto &of_component =
             place.unknowns[fe.system_to_component_index(i).first];
-          if (const auto *parents = hanging.get_constraint_entries(dofs[i]))
-            for (const auto &[dof, factor] : *parents)
-              of_component[dof] += weight * factor;
-          else
-            of_component[dofs[i]] += weight;
+          visit_leaders(hanging,
+                        dofs[i],
+                        [&](const auto dof, const double factor) {
+                          of_component[dof] += weight * factor;
+                        });
         }
     return place;
   }

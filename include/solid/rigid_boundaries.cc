@@ -5,12 +5,13 @@
 
 #include "solid/rigid_boundaries.h"
 
-#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "solid/rotations.h"
 
 namespace Contact
 {
@@ -21,78 +22,28 @@ namespace Contact
 
     const double few_digits = 64 * std::numeric_limits<double>::epsilon();
 
-    /// W with W a = w x a.
-    Tensor<2, 3> spin(const Tensor<1, 3> &w)
+    /// Orthonormal rows, with rotations by the way of the farthest node.
+    struct Basis
     {
-      Tensor<2, 3> W;
-      for (unsigned int k = 0; k < 3; ++k)
-        {
-          const unsigned int i = (k + 1) % 3, j = (k + 2) % 3;
-          W[j][i] = w[k];
-          W[i][j] = -w[k];
-        }
-      return W;
-    }
+      const double              farthest; // [mm]
+      std::vector<Tensor<1, 6>> rows;
 
-    /// w, of any tensor.
-    Tensor<1, 3> axis(const Tensor<2, 3> &W)
-    {
-      Tensor<1, 3> w;
-      for (unsigned int k = 0; k < 3; ++k)
-        w[k] =
-          0.5 * (W[(k + 2) % 3][(k + 1) % 3] - W[(k + 1) % 3][(k + 2) % 3]);
-      return w;
-    }
+      /// What a row has beside these.
+      Tensor<1, 6> rest(Tensor<1, 6> row) const
+      {
+        for (unsigned int k = 3; k < 6; ++k)
+          row[k] /= farthest;
+        for (unsigned int pass = 0; pass < 2; ++pass) // because of round-off
+          for (const Tensor<1, 6> &other : rows)
+            row -= (row * other) * other;
+        return row;
+      }
 
-    Tensor<2, 3> identity()
-    {
-      return static_cast<Tensor<2, 3>>(unit_symmetric_tensor<3>());
-    }
-
-    /// The change of the vector of rotation phi by a turn omega:
-    ///   d = I - [phi]/2 + (1/t^2 - (1 + cos t)/(2 t sin t)) [phi]^2, t =
-    ///   |phi|.
-    Tensor<2, 3> change_of_vector(const Tensor<1, 3> &phi)
-    {
-      const double       t = phi.norm();
-      const Tensor<2, 3> W = spin(phi);
-      const double       c =
-        t < 1e-3 ? 1. / 12
-                       : 1 / (t * t) - (1 + std::cos(t)) / (2 * t * std::sin(t));
-      return identity() - 0.5 * W + c * (W * W);
-    }
-
-    /// Take out of a row the orthonormal ones.
-    Tensor<1, 6> beside(const std::vector<Tensor<1, 6>> &basis,
-                        Tensor<1, 6>                     row)
-    {
-      for (unsigned int pass = 0; pass < 2; ++pass) // because of round-off
-        for (const Tensor<1, 6> &other : basis)
-          row -= (row * other) * other;
-      return row;
-    }
-
-
-
-    /// The vector of rotation of a proper orthogonal tensor, of a length up to
-    /// pi, and that tensor of any vector.
-    Tensor<1, 3> rotation_vector(const Tensor<2, 3> &R)
-    {
-      const Tensor<1, 3> w = axis(R);
-      const double       s = w.norm();
-      const double       t = std::atan2(s, 0.5 * (trace(R) - 1));
-      return s > 0 ? t / s * w : w;
-    }
-
-    Tensor<2, 3> rotation_by(const Tensor<1, 3> &vector)
-    {
-      const double t = vector.norm();
-      if (t == 0)
-        return identity();
-      const Tensor<2, 3> W    = spin(vector / t);
-      const double       half = std::sin(0.5 * t);
-      return identity() + std::sin(t) * W + 2 * half * half * (W * W);
-    }
+      void add(const Tensor<1, 6> &rest)
+      {
+        rows.push_back(rest / rest.norm());
+      }
+    };
   } // namespace
 
 
@@ -127,17 +78,6 @@ namespace Contact
                                 nodes[frame[1]].arm - nodes[0].arm)
           .norm();
       });
-  }
-
-
-
-  template<int dim>
-  double RigidBoundary<dim>::extent() const
-  {
-    double largest = 0;
-    for (const Node &node : nodes)
-      largest = std::max(largest, node.arm.norm());
-    return largest;
   }
 
 
@@ -196,26 +136,16 @@ namespace Contact
 
 
 
-  // Gram and Schmidt, with the largest rest next. Rotations are by the way of
-  // the farthest node.
+  // Gram and Schmidt, with the largest rest next.
   template<int dim>
   std::vector<types::global_dof_index>
   RigidBoundary<dim>::choose_leaders(const Motion        &motion,
                                      const Targets       &targets,
                                      const std::set<Dof> &held)
   {
-    const double length = extent();
-    const auto   scaled = [&](Row row) {
-      for (unsigned int k = 3; k < 6; ++k)
-        row[k] /= length;
-      return row;
-    };
-    std::vector<Row> basis;
-    const auto       add = [&](const Row &rest) {
-      basis.push_back(rest / rest.norm());
-    };
+    Basis basis{extent(), {}};
     for (const Row &row : fixed_rows(motion, targets))
-      add(beside(basis, scaled(row)));
+      basis.add(basis.rest(row));
     all_leaders.clear();
     std::vector<Dof>    dependent;
     std::vector<Leader> others;
@@ -228,28 +158,28 @@ namespace Contact
               others.push_back(unknown);
               continue;
             }
-          const Row rest = beside(basis, scaled(row(motion, unknown)));
+          const Row rest = basis.rest(row(motion, unknown));
           if (rest.norm() > smallest_rest)
             {
-              add(rest);
+              basis.add(rest);
               all_leaders.push_back(unknown);
             }
           else
             dependent.push_back(dof(unknown));
         }
-    while (basis.size() < 6)
+    while (basis.rows.size() < 6)
       {
         Row    largest;
         Leader best{};
         for (const Leader &unknown : others)
-          if (const Row rest = beside(basis, scaled(row(motion, unknown)));
+          if (const Row rest = basis.rest(row(motion, unknown));
               rest.norm() > (1 + smallest_rest) * largest.norm())
             {
               largest = rest;
               best    = unknown;
             }
         Assert(largest.norm() > smallest_rest, ExcInternalError());
-        add(largest);
+        basis.add(largest);
         all_leaders.push_back(best);
       }
     return dependent;
@@ -261,20 +191,18 @@ namespace Contact
   double RigidBoundary<dim>::quality(const Motion  &motion,
                                      const Targets &targets) const
   {
-    const double     length = extent();
-    std::vector<Row> basis;
-    double           smallest = 1;
-    const auto       add      = [&](Row row) {
-      for (unsigned int k = 3; k < 6; ++k)
-        row[k] /= length;
-      const Row rest = beside(basis, row);
-      smallest       = std::min(rest.norm() / row.norm(), smallest);
-      basis.push_back(rest / rest.norm());
-    };
-    for (const Row &row : fixed_rows(motion, targets))
-      add(row);
+    std::vector<Row> rows = fixed_rows(motion, targets);
     for (const Leader &leader : all_leaders)
-      add(row(motion, leader));
+      rows.push_back(row(motion, leader));
+    const Basis none{extent(), {}};
+    Basis       basis    = none;
+    double      smallest = 1;
+    for (const Row &row : rows)
+      {
+        const Row rest = basis.rest(row);
+        smallest = std::min(rest.norm() / none.rest(row).norm(), smallest);
+        basis.add(rest);
+      }
     return smallest;
   }
 

@@ -10,6 +10,7 @@
 #include <deal.II/base/tensor.h>
 #include <deal.II/base/types.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <string>
@@ -127,7 +128,13 @@ namespace Contact
                         const IndexSet      &owned) const;
 
     /// The largest distance of a node from P [mm].
-    double extent() const;
+    double extent() const
+    {
+      double largest = 0;
+      for (const Node &node : nodes)
+        largest = std::max(largest, node.arm.norm());
+      return largest;
+    }
 
   private:
     using Row = Tensor<1, 6>;

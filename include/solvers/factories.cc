@@ -66,30 +66,21 @@ namespace Contact
                                                   timer);
   }
 
-  template std::unique_ptr<LinearSystem<2>>
-  LinearSystem<2>::create(const ContactModel<2> &,
-                          const Parameters::All &,
-                          const ContactLinearization &,
-                          ConditionalOStream &,
-                          TimerOutput &);
-  template std::unique_ptr<CondensedSystem<2>>
-  CondensedSystem<2>::create(const Discretization<2> &,
-                             const Elasticity<2> &,
-                             const ContactInterface<2> *,
-                             ContactElimination<2> &,
-                             const Parameters::SolverKind,
-                             TimerOutput &);
-  template std::unique_ptr<LinearSystem<3>>
-  LinearSystem<3>::create(const ContactModel<3> &,
-                          const Parameters::All &,
-                          const ContactLinearization &,
-                          ConditionalOStream &,
-                          TimerOutput &);
-  template std::unique_ptr<CondensedSystem<3>>
-  CondensedSystem<3>::create(const Discretization<3> &,
-                             const Elasticity<3> &,
-                             const ContactInterface<3> *,
-                             ContactElimination<3> &,
-                             const Parameters::SolverKind,
-                             TimerOutput &);
+#define INSTANTIATE(dim)                                                       \
+  template std::unique_ptr<LinearSystem<dim>> LinearSystem<dim>::create(       \
+    const ContactModel<dim> &,                                                 \
+    const Parameters::All &,                                                   \
+    const ContactLinearization &,                                              \
+    ConditionalOStream &,                                                      \
+    TimerOutput &);                                                            \
+  template std::unique_ptr<CondensedSystem<dim>> CondensedSystem<dim>::create( \
+    const Discretization<dim> &,                                               \
+    const Elasticity<dim> &,                                                   \
+    const ContactInterface<dim> *,                                             \
+    ContactElimination<dim> &,                                                 \
+    const Parameters::SolverKind,                                              \
+    TimerOutput &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Contact

@@ -25,37 +25,6 @@ namespace Contact
 
 
 
-  std::map<std::string, double> Invariants::measures() const
-  {
-    return {{"force_imbalance", force_imbalance},
-            {"moment_imbalance", moment_imbalance},
-            {"equilibrium", equilibrium},
-            {"supports", supports},
-            {"complementarity", augmentation_parameter},
-            {"friction_cone", cone},
-            {"slip", slip},
-            {"penetration", penetration},
-            {"relative_penetration", relative_penetration},
-            {"energy_imbalance", energy_imbalance}};
-  }
-
-
-
-  std::map<std::string, double> Invariants::works() const
-  {
-    return {{"strain_energy", strain_energy},
-            {"external", external_work},
-            {"contact", contact_work},
-            {"friction", friction_work},
-            {"stabilization", stabilization_work},
-            {"path", path_work},
-            {"dissipation", dissipation},
-            {"plastic_dissipation", plastic_work},
-            {"thermal", thermal_work}};
-  }
-
-
-
   template<int dim>
   InvariantCheck<dim>::InvariantCheck(const Discretization<dim> &discretization,
                                       const Elasticity<dim>     &elasticity,

@@ -68,8 +68,31 @@ namespace Contact
     std::map<std::string, std::map<std::string, double>> reactions;
 
     /// By name, for the summary.
-    std::map<std::string, double> measures() const;
-    std::map<std::string, double> works() const;
+    std::map<std::string, double> measures() const
+    {
+      return {{"force_imbalance", force_imbalance},
+              {"moment_imbalance", moment_imbalance},
+              {"equilibrium", equilibrium},
+              {"supports", supports},
+              {"complementarity", augmentation_parameter},
+              {"friction_cone", cone},
+              {"slip", slip},
+              {"penetration", penetration},
+              {"relative_penetration", relative_penetration},
+              {"energy_imbalance", energy_imbalance}};
+    }
+    std::map<std::string, double> works() const
+    {
+      return {{"strain_energy", strain_energy},
+              {"external", external_work},
+              {"contact", contact_work},
+              {"friction", friction_work},
+              {"stabilization", stabilization_work},
+              {"path", path_work},
+              {"dissipation", dissipation},
+              {"plastic_dissipation", plastic_work},
+              {"thermal", thermal_work}};
+    }
   };
 
 

@@ -133,24 +133,18 @@ namespace Contact
     return largest;
   }
 
-  template RigidFits<2> fit_rigid_motions(const Discretization<2> &,
-                                          const GhostedVector &);
-  template RigidFits<3> fit_rigid_motions(const Discretization<3> &,
-                                          const GhostedVector &);
-  template std::map<types::material_id, double>
-  deformations_along(const Discretization<2> &,
-                     const RigidFits<2> &,
-                     const GhostedVector &,
-                     const Tensor<1, 2> &);
-  template std::map<types::material_id, double>
-                  deformations_along(const Discretization<3> &,
-                                     const RigidFits<3> &,
-                                     const GhostedVector &,
-                                     const Tensor<1, 3> &);
-  template double largest_deformation(const Surface<2> &,
-                                      const RigidFits<2> &,
+#define INSTANTIATE(dim)                                                 \
+  template RigidFits<dim> fit_rigid_motions(const Discretization<dim> &, \
+                                            const GhostedVector &);      \
+  template std::map<types::material_id, double> deformations_along(      \
+    const Discretization<dim> &,                                         \
+    const RigidFits<dim> &,                                              \
+    const GhostedVector &,                                               \
+    const Tensor<1, dim> &);                                             \
+  template double largest_deformation(const Surface<dim> &,              \
+                                      const RigidFits<dim> &,            \
                                       const GhostedVector &);
-  template double largest_deformation(const Surface<3> &,
-                                      const RigidFits<3> &,
-                                      const GhostedVector &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Contact

@@ -22,10 +22,9 @@ namespace Contact
     template<int dim>
     double smallest_pressure(const ContactPoint<dim> &point)
     {
-      if (point.status.kind != Status::open)
-        return 0;
-      const double round_off = 16 * std::numeric_limits<double>::epsilon();
-      return point.augmentation_parameter * round_off * point.X(0).norm();
+      return point.status.kind == Status::open
+               ? point.augmentation_parameter * point.gap_round_off()
+               : 0;
     }
 
 

@@ -207,42 +207,27 @@ namespace Contact
                              list_of_sections(quantity, interface));
   }
 
-  template std::array<ObstacleForce<2>, 2>
-  obstacle_forces(const ContactInterface<2> &,
-                  const ContactPair<2> &,
-                  const GhostedVector &,
-                  const GhostedVector &);
-  template std::array<ObstacleForce<3>, 2>
-  obstacle_forces(const ContactInterface<3> &,
-                  const ContactPair<3> &,
-                  const GhostedVector &,
-                  const GhostedVector &);
-  template std::map<std::string, double>
-  obstacle_values(const ContactInterface<2> &,
-                  const ContactPair<2> &,
-                  const GhostedVector &,
-                  const GhostedVector &);
-  template std::map<std::string, double>
-                  obstacle_values(const ContactInterface<3> &,
-                                  const ContactPair<3> &,
-                                  const GhostedVector &,
-                                  const GhostedVector &);
-  template double obstacle_value(const Quantity,
-                                 const std::string &,
-                                 const ContactInterface<2> *,
-                                 const GhostedVector &,
-                                 const GhostedVector &);
-  template double obstacle_value(const Quantity,
-                                 const std::string &,
-                                 const ContactInterface<3> *,
-                                 const GhostedVector &,
-                                 const GhostedVector &);
-  template void   check_obstacle(const std::string &,
-                                 const Quantity,
-                                 const std::string &,
-                                 const ContactInterface<2> *);
-  template void   check_obstacle(const std::string &,
-                                 const Quantity,
-                                 const std::string &,
-                                 const ContactInterface<3> *);
+#define INSTANTIATE(dim)                                        \
+  template std::array<ObstacleForce<dim>, 2> obstacle_forces(   \
+    const ContactInterface<dim> &,                              \
+    const ContactPair<dim> &,                                   \
+    const GhostedVector &,                                      \
+    const GhostedVector &);                                     \
+  template std::map<std::string, double> obstacle_values(       \
+    const ContactInterface<dim> &,                              \
+    const ContactPair<dim> &,                                   \
+    const GhostedVector &,                                      \
+    const GhostedVector &);                                     \
+  template double obstacle_value(const Quantity,                \
+                                 const std::string &,           \
+                                 const ContactInterface<dim> *, \
+                                 const GhostedVector &,         \
+                                 const GhostedVector &);        \
+  template void   check_obstacle(const std::string &,           \
+                                 const Quantity,                \
+                                 const std::string &,           \
+                                 const ContactInterface<dim> *);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Contact

@@ -5,6 +5,9 @@
 
 #include "contact/points/contact_point.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace Contact
 {
   template<int dim>
@@ -21,6 +24,17 @@ namespace Contact
         C1.push_back(c1);
         C2.push_back(c2);
       }
+  }
+
+
+
+  template<int dim>
+  double PointPairing<dim>::gap_round_off() const
+  {
+    double largest = 0;
+    for (const SurfaceNode<dim> *node : nodes)
+      largest = std::max(largest, node->X.norm());
+    return 1e3 * std::numeric_limits<double>::epsilon() * largest;
   }
 
 

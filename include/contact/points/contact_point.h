@@ -125,6 +125,9 @@ namespace Contact
       return nodes[a]->X;
     }
 
+    /// The round-off of a gap between these nodes [mm].
+    double gap_round_off() const;
+
     /// Append a node, which a surface has as long as there is this pairing,
     /// with its coefficient and, in 2-D, the derivatives of that.
     void add_node(const SurfaceNode<dim> &node,

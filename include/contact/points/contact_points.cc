@@ -331,52 +331,32 @@ namespace Contact
     point.has_no_free_tangent  = has_no_free_tangent(point, discretization);
   }
 
-  template std::vector<ContactPoint<2>>
-                         make_nodal_points(const Surface<2> &,
-                                           const std::set<unsigned int> &,
-                                           MultiplierSpace &);
-  template bool          is_free_along(const ContactPoint<2> &,
-                                       const unsigned int,
-                                       const Tensor<1, 2> &,
-                                       const Discretization<2> &);
-  template void          skip_where_held(ContactPoint<2> &,
-                                         const Discretization<2> &,
-                                         const GhostedVector &);
-  template Point<2>      slave_position(const ContactPoint<2> &,
-                                        const GhostedVector &);
-  template NormalCone<2> directions_of(const ContactPoint<2> &,
-                                       const DeformedSurface<2> &);
-  template void          pair_with_master(ContactPoint<2> &,
-                                          const NormalCone<2> &,
-                                          const DeformedSurface<2> &,
-                                          const Discretization<2> &,
-                                          const GhostedVector &);
-  template void          pair_with_obstacle(ContactPoint<2> &,
-                                            const Obstacle<2> &,
-                                            const Discretization<2> &,
-                                            const GhostedVector &);
-  template std::vector<ContactPoint<3>>
-                         make_nodal_points(const Surface<3> &,
-                                           const std::set<unsigned int> &,
-                                           MultiplierSpace &);
-  template bool          is_free_along(const ContactPoint<3> &,
-                                       const unsigned int,
-                                       const Tensor<1, 3> &,
-                                       const Discretization<3> &);
-  template void          skip_where_held(ContactPoint<3> &,
-                                         const Discretization<3> &,
-                                         const GhostedVector &);
-  template Point<3>      slave_position(const ContactPoint<3> &,
-                                        const GhostedVector &);
-  template NormalCone<3> directions_of(const ContactPoint<3> &,
-                                       const DeformedSurface<3> &);
-  template void          pair_with_master(ContactPoint<3> &,
-                                          const NormalCone<3> &,
-                                          const DeformedSurface<3> &,
-                                          const Discretization<3> &,
-                                          const GhostedVector &);
-  template void          pair_with_obstacle(ContactPoint<3> &,
-                                            const Obstacle<3> &,
-                                            const Discretization<3> &,
-                                            const GhostedVector &);
+#define INSTANTIATE(dim)                                                   \
+  template std::vector<ContactPoint<dim>> make_nodal_points(               \
+    const Surface<dim> &,                                                  \
+    const std::set<unsigned int> &,                                        \
+    MultiplierSpace &);                                                    \
+  template bool            is_free_along(const ContactPoint<dim> &,        \
+                                         const unsigned int,               \
+                                         const Tensor<1, dim> &,           \
+                                         const Discretization<dim> &);     \
+  template void            skip_where_held(ContactPoint<dim> &,            \
+                                           const Discretization<dim> &,    \
+                                           const GhostedVector &);         \
+  template Point<dim>      slave_position(const ContactPoint<dim> &,       \
+                                          const GhostedVector &);          \
+  template NormalCone<dim> directions_of(const ContactPoint<dim> &,        \
+                                         const DeformedSurface<dim> &);    \
+  template void            pair_with_master(ContactPoint<dim> &,           \
+                                            const NormalCone<dim> &,       \
+                                            const DeformedSurface<dim> &,  \
+                                            const Discretization<dim> &,   \
+                                            const GhostedVector &);        \
+  template void            pair_with_obstacle(ContactPoint<dim> &,         \
+                                              const Obstacle<dim> &,       \
+                                              const Discretization<dim> &, \
+                                              const GhostedVector &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Contact

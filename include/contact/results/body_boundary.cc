@@ -5,8 +5,6 @@
 
 #include "contact/results/body_boundary.h"
 
-#include <algorithm>
-
 namespace Contact
 {
   template<int dim>
@@ -45,40 +43,13 @@ namespace Contact
 
 
 
-  namespace
-  {
-    /// Whether the closest place of a surface is on a side where it ends.
-    template<int dim>
-    bool is_at_end(const Surface<dim> &surface, const Projection<dim> &closest)
-    {
-      const SurfaceFacet<dim> &facet = surface.facets[closest.facet];
-      for (unsigned int s = 0; s < facet.n_sides; ++s)
-        if (facet.ends_surface(s) &&
-            (s % 2 == 0 ? -1 : 1) * coordinate(closest.xi, s / 2) >= 1)
-          return true;
-      return false;
-    }
-  } // namespace
-
-
-
   template<int dim>
   double depth_behind(const DeformedSurface<dim> &boundary,
                       const Projection<dim>      &closest,
                       const Point<dim>           &x)
   {
-    const auto is_behind = [&](const auto facet, const auto &xi) {
-      return (x - boundary.position(facet, xi)) * boundary.normal(facet, xi) <
-             0;
-    };
-    const bool is_inside =
-      !is_at_end(boundary.surface, closest) &&
-      is_behind(closest.facet, closest.xi) &&
-      std::all_of(closest.twins.begin(),
-                  closest.twins.end(),
-                  [&](const auto &twin) {
-                    return is_behind(twin.first, twin.second);
-                  });
+    const bool is_inside = !boundary.is_at_end(closest) &&
+                           boundary.is_behind(x, closest, /*slack=*/0.);
     return is_inside ? x.distance(boundary.position(closest.facet, closest.xi))
                      : 0;
   }

@@ -267,18 +267,15 @@ namespace Contact
             " mm behind the side that it was in front of");
   }
 
-  template ContactCrossing<2> find_crossing(const ContactPair<2> &,
-                                            const GhostedVector &,
-                                            const GhostedVector &);
-  template ContactCrossing<3> find_crossing(const ContactPair<3> &,
-                                            const GhostedVector &,
-                                            const GhostedVector &);
-  template void
-  check_obstacles(const std::vector<std::unique_ptr<const ContactPair<2>>> &,
-                  const GhostedVector &,
-                  const GhostedVector &);
-  template void
-  check_obstacles(const std::vector<std::unique_ptr<const ContactPair<3>>> &,
-                  const GhostedVector &,
-                  const GhostedVector &);
+#define INSTANTIATE(dim)                                                          \
+  template ContactCrossing<dim> find_crossing(const ContactPair<dim> &,           \
+                                              const GhostedVector &,              \
+                                              const GhostedVector &);             \
+  template void                 check_obstacles(                                  \
+                    const std::vector<std::unique_ptr<const ContactPair<dim>>> &, \
+                    const GhostedVector &,                                        \
+                    const GhostedVector &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Contact

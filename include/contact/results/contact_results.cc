@@ -385,40 +385,26 @@ namespace Contact
     return false;
   }
 
-  template unsigned int multiplier_at(const ContactInterface<2> &,
-                                      const ContactPair<2> &,
-                                      const unsigned int);
-  template unsigned int multiplier_at(const ContactInterface<3> &,
-                                      const ContactPair<3> &,
-                                      const unsigned int);
-  template double       pressure_at(const ContactInterface<2> &,
-                                    const ContactPair<2> &,
-                                    const unsigned int,
-                                    const GhostedVector &);
-  template double       pressure_at(const ContactInterface<3> &,
-                                    const ContactPair<3> &,
-                                    const unsigned int,
-                                    const GhostedVector &);
-  template std::vector<Tensor<1, 2>>
-  corner_tractions(const ContactInterface<2> &,
-                   const ContactPair<2> &,
-                   const GhostedVector &);
-  template std::vector<Tensor<1, 2>>
-                         corner_tractions(const ContactInterface<3> &,
-                                          const ContactPair<3> &,
+#define INSTANTIATE(dim)                                                         \
+  template unsigned int multiplier_at(const ContactInterface<dim> &,             \
+                                      const ContactPair<dim> &,                  \
+                                      const unsigned int);                       \
+  template double       pressure_at(const ContactInterface<dim> &,               \
+                                    const ContactPair<dim> &,                    \
+                                    const unsigned int,                          \
+                                    const GhostedVector &);                      \
+  template std::vector<Tensor<1, 2>> corner_tractions(                           \
+    const ContactInterface<dim> &,                                               \
+    const ContactPair<dim> &,                                                    \
+    const GhostedVector &);                                                      \
+  template GhostedVector contact_forces(const ContactInterface<dim> &,           \
+                                        const GhostedVector &,                   \
+                                        const GhostedVector &);                  \
+  template std::string   describe_changes(const ContactInterface<dim> &,         \
+                                          const std::vector<PointStatus<dim>> &, \
+                                          const GhostedVector &,                 \
                                           const GhostedVector &);
-  template GhostedVector contact_forces(const ContactInterface<2> &,
-                                        const GhostedVector &,
-                                        const GhostedVector &);
-  template GhostedVector contact_forces(const ContactInterface<3> &,
-                                        const GhostedVector &,
-                                        const GhostedVector &);
-  template std::string   describe_changes(const ContactInterface<2> &,
-                                          const std::vector<PointStatus<2>> &,
-                                          const GhostedVector &,
-                                          const GhostedVector &);
-  template std::string   describe_changes(const ContactInterface<3> &,
-                                          const std::vector<PointStatus<3>> &,
-                                          const GhostedVector &,
-                                          const GhostedVector &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Contact

@@ -38,22 +38,16 @@ namespace Contact
     /// where the body has a side that is not known.
     template<int dim>
     bool is_beyond_end(const DeformedSurface<dim> &surface,
-                       const Projection<dim>      &projection_point,
+                       const Projection<dim>      &projection,
                        const Point<dim>           &x,
                        const double                slack)
     {
-      const auto &facet = surface.surface.facets[projection_point.facet];
-      for (unsigned int s = 0; s < facet.n_sides; ++s)
-        if (facet.ends_surface(s) &&
-            (s % 2 == 0 ? -1 : 1) * coordinate(projection_point.xi, s / 2) >= 1)
-          {
-            const Tensor<1, dim> n =
-              surface.normal(projection_point.facet, projection_point.xi);
-            const Tensor<1, dim> r =
-              x - surface.position(projection_point.facet, projection_point.xi);
-            return (r - (r * n) * n).norm() > slack;
-          }
-      return false;
+      if (!surface.is_at_end(projection))
+        return false;
+      const Tensor<1, dim> n = surface.normal(projection.facet, projection.xi);
+      const Tensor<1, dim> r =
+        x - surface.position(projection.facet, projection.xi);
+      return (r - (r * n) * n).norm() > slack;
     }
   } // namespace
 
@@ -75,34 +69,20 @@ namespace Contact
     bool         is_behind = false, is_beyond = false;
     for (const DeformedSurface<dim> &surface : deformed[body])
       {
-        const Projection<dim> projection_point = surface.closest_point(x);
+        const Projection<dim> projection = surface.closest_point(x);
         const double          distance =
-          std::sqrt(surface.distance_square(x, projection_point));
+          std::sqrt(surface.distance_square(x, projection));
         const double length =
-          surface.surface.reference_length(projection_point.facet);
+          surface.surface.reference_length(projection.facet);
         const double same = round_off * length;
         if (distance > nearest + same)
           continue;
-        const auto behind = [&](const unsigned int     facet,
-                                const FacetPoint<dim> &xi) {
-          return (x - surface.position(facet, xi)) *
-                   surface.normal(facet, xi) <=
-                 same;
-        };
-        const bool is_here =
-          behind(projection_point.facet, projection_point.xi) &&
-          std::all_of(projection_point.twins.begin(),
-                      projection_point.twins.end(),
-                      [&](const auto &twin) {
-                        return behind(twin.first, twin.second);
-                      });
+        const bool is_here   = surface.is_behind(x, projection, same);
         const bool is_nearer = distance < nearest - same;
         beyond               = DeformedSurface<dim>::overhang * length;
         is_behind            = is_here && (is_behind || is_nearer);
-        is_beyond =
-          is_nearer && is_beyond_end(surface, projection_point, x, beyond);
-        nearest = std::min(nearest, distance);
-        beyond  = DeformedSurface<dim>::overhang * length;
+        is_beyond = is_nearer && is_beyond_end(surface, projection, x, beyond);
+        nearest   = std::min(nearest, distance);
       }
     return nearest <= beyond || (is_behind && !is_beyond);
   }

@@ -10,28 +10,33 @@
 
 namespace Contact
 {
+  namespace bgi = boost::geometry::index;
+
   namespace
   {
     /// Lines of nodes along a coordinate of a facet: the first, the last and
     /// the middle one.
     using NodeLine = std::array<unsigned int, 3>;
 
+    // The last one in 3-D is there at degree 2 alone.
     template<int dim>
-    std::vector<NodeLine> lines_along(const unsigned int k);
-
-    template<>
-    std::vector<NodeLine> lines_along<2>(const unsigned int)
+    std::vector<NodeLine> lines_along(const unsigned int k)
     {
-      return {{{0, 1, 2}}};
-    }
-
-    // The last one is there at degree 2 alone.
-    template<>
-    std::vector<NodeLine> lines_along<3>(const unsigned int k)
-    {
-      if (k == 0)
-        return {{{0, 1, 6}}, {{2, 3, 7}}, {{4, 5, 8}}};
-      return {{{0, 2, 4}}, {{1, 3, 5}}, {{6, 7, 8}}};
+      std::vector<NodeLine> lines;
+      for (unsigned int a = 0; a < PerFacetNode<dim, int>().size(); ++a)
+        if (is_on_side<dim>(a, 2 * k))
+          {
+            const auto node_at = [&](const double xi) {
+              FacetPoint<dim> place = node_place<dim>(a);
+              coordinate(place, k)  = xi;
+              unsigned int node     = 0;
+              while (node_place<dim>(node) != place)
+                ++node;
+              return node;
+            };
+            lines.push_back({{a, node_at(1), node_at(0)}});
+          }
+      return lines;
     }
   } // namespace
 
@@ -45,16 +50,6 @@ namespace Contact
     : surface(surface)
     , positions(positions)
     , beyond_ends(overhang)
-  {
-  }
-
-
-
-  template<int dim>
-  DeformedSurface<dim>::DeformedSurface(const Surface<dim>  &surface,
-                                        const GhostedVector &u,
-                                        const double         overhang)
-    : DeformedSurface(surface, surface.positions(u), overhang)
   {
   }
 
@@ -145,9 +140,15 @@ namespace Contact
   std::vector<Point<dim>>
   DeformedSurface<dim>::hull(const unsigned int facet) const
   {
+    static const auto lines = []() {
+      std::array<std::vector<NodeLine>, dim - 1> by_coordinate;
+      for (unsigned int k = 0; k < dim - 1; ++k)
+        by_coordinate[k] = lines_along<dim>(k);
+      return by_coordinate;
+    }();
     FacetNodes<dim> points = facet_positions(facet);
     for (unsigned int k = 0; k < dim - 1; ++k)
-      for (const auto &[first, last, middle] : lines_along<dim>(k))
+      for (const auto &[first, last, middle] : lines[k])
         {
           const auto [begin, end] = range(facet, k);
           const Point<dim>     a = points[first], b = points[last];
@@ -179,8 +180,8 @@ namespace Contact
       {
         Box box(other.hull(e));
         box.extend(distance);
-        by_facet.push_back(tree().qbegin(boost::geometry::index::intersects(
-                             box)) != tree().qend());
+        by_facet.push_back(tree().qbegin(bgi::intersects(box)) !=
+                           tree().qend());
       }
     return by_facet;
   }
@@ -192,10 +193,9 @@ namespace Contact
   DeformedSurface<dim>::facets_in(const BoundingBox<dim> &box) const
   {
     std::vector<unsigned int> facets;
-    for (auto entry = tree().qbegin(boost::geometry::index::intersects(box));
-         entry != tree().qend();
-         ++entry)
-      facets.push_back(entry->second);
+    for (const auto &[hull, facet] :
+         tree() | bgi::adaptors::queried(bgi::intersects(box)))
+      facets.push_back(facet);
     std::sort(facets.begin(), facets.end());
     return facets;
   }
@@ -207,43 +207,24 @@ namespace Contact
   DeformedSurface<dim>::closest_facing(const Point<dim>      &x,
                                        const NormalCone<dim> &directions) const
   {
-    const auto is_near = [&](const Projection<dim> &candidate,
-                             const Tensor<1, dim>  &n) {
-      const Point<dim> y = position(candidate.facet, candidate.xi);
-      return (y - x) * n <= directions.reach || !directions.overlap ||
-             directions.overlap(x, y);
+    const auto closest_with = [&](const auto &is_direction) {
+      return choose(x, [&](const Projection<dim> &candidate) {
+        const Tensor<1, dim> n = normal(candidate.facet, candidate.xi);
+        if (!is_direction(n))
+          return false;
+        const Point<dim> y = position(candidate.facet, candidate.xi);
+        return (y - x) * n <= directions.reach || !directions.overlap ||
+               directions.overlap(x, y);
+      });
     };
-    Projection<dim> found = choose(x, [&](const Projection<dim> &candidate) {
-      const Tensor<1, dim> n = normal(candidate.facet, candidate.xi);
-      return directions.faces(n) && is_near(candidate, n);
-    });
+    const Projection<dim> found = closest_with(
+      [&](const Tensor<1, dim> &n) { return directions.faces(n); });
     if (found.beyond_end && directions.at_end)
-      {
-        const Projection<dim> next =
-          choose(x, [&](const Projection<dim> &candidate) {
-            const Tensor<1, dim> n = normal(candidate.facet, candidate.xi);
-            return directions.is_beside(n) && is_near(candidate, n);
-          });
-        if (!next.beyond_end)
-          found = next;
-      }
+      if (const Projection<dim> next = closest_with(
+            [&](const Tensor<1, dim> &n) { return directions.is_beside(n); });
+          !next.beyond_end)
+        return next;
     return found;
-  }
-
-
-
-  template<int dim>
-  Projection<dim> DeformedSurface<dim>::closest_point(const Point<dim> &x) const
-  {
-    return choose(x, [](const Projection<dim> &) { return true; });
-  }
-
-
-
-  template<int dim>
-  Projection<dim> DeformedSurface<dim>::closest_alone(const Point<dim> &x) const
-  {
-    return closest(x, [](const Projection<dim> &) { return true; });
   }
 
 
@@ -285,8 +266,6 @@ namespace Contact
   Projection<dim> DeformedSurface<dim>::closest(const Point<dim> &x,
                                                 const Accept     &accept) const
   {
-    namespace bgi = boost::geometry::index;
-
     const double round_off = 1e-10;
     ++surface.counters().projections;
     Projection<dim> best;
@@ -324,8 +303,8 @@ namespace Contact
     const double round_off = 1e-10;
     const auto  &facet     = surface.facets[candidate.facet];
     for (unsigned int s = 0; s < facet.n_sides; ++s)
-      if ((s % 2 == 0 ? -1 : 1) * coordinate(candidate.xi, s / 2) >= 1 &&
-          !facet.corner[s] && !facet.ends_surface(s) &&
+      if (is_on_side(candidate.xi, s) && !facet.corner[s] &&
+          !facet.ends_surface(s) &&
           distance_square(x, project(x, facet.neighbors[s])) <
             (1 - round_off) * distance)
         return false;
@@ -394,8 +373,7 @@ namespace Contact
                                       const Accept   &accept,
                                       Projection<3>  &found) const
   {
-    const auto is_at = [](const double xi) { return std::abs(xi) == 1; };
-    if (!is_at(found.xi[0]) && !is_at(found.xi[1]))
+    if (std::abs(found.xi[0]) != 1 && std::abs(found.xi[1]) != 1)
       return;
     const double   round_off = 1e-8 * surface.reference_length(found.facet);
     const Point<3> here      = position(found.facet, found.xi);
@@ -439,11 +417,32 @@ namespace Contact
 
 
   template<int dim>
-  double
-  DeformedSurface<dim>::distance_square(const Point<dim>      &x,
-                                        const Projection<dim> &projection) const
+  bool DeformedSurface<dim>::is_at_end(const Projection<dim> &projection) const
   {
-    return x.distance_square(position(projection.facet, projection.xi));
+    const auto &facet = surface.facets[projection.facet];
+    for (unsigned int s = 0; s < facet.n_sides; ++s)
+      if (facet.ends_surface(s) && is_on_side(projection.xi, s))
+        return true;
+    return false;
+  }
+
+
+
+  template<int dim>
+  bool DeformedSurface<dim>::is_behind(const Point<dim>      &x,
+                                       const Projection<dim> &projection,
+                                       const double           slack) const
+  {
+    const auto is_behind_one = [&](const unsigned int     facet,
+                                   const FacetPoint<dim> &xi) {
+      return (x - position(facet, xi)) * normal(facet, xi) < slack;
+    };
+    return is_behind_one(projection.facet, projection.xi) &&
+           std::all_of(projection.twins.begin(),
+                       projection.twins.end(),
+                       [&](const auto &twin) {
+                         return is_behind_one(twin.first, twin.second);
+                       });
   }
 
   template class DeformedSurface<2>;

@@ -54,7 +54,10 @@ namespace Contact
     /// go on beyond their ends by @p overhang.
     DeformedSurface(const Surface<dim>  &surface,
                     const GhostedVector &u,
-                    const double         overhang = DeformedSurface::overhang);
+                    const double         overhang = DeformedSurface::overhang)
+      : DeformedSurface(surface, surface.positions(u), overhang)
+    {
+    }
 
     /// With its nodes at @p positions.
     DeformedSurface(const Surface<dim>            &surface,
@@ -85,10 +88,16 @@ namespace Contact
     /// alone.
     const FacetNormals<dim> &facet_normals() const;
 
-    Projection<dim> closest_point(const Point<dim> &x) const;
+    Projection<dim> closest_point(const Point<dim> &x) const
+    {
+      return choose(x, [](const Projection<dim> &) { return true; });
+    }
 
     /// The same without its twins.
-    Projection<dim> closest_alone(const Point<dim> &x) const;
+    Projection<dim> closest_alone(const Point<dim> &x) const
+    {
+      return closest(x, [](const Projection<dim> &) { return true; });
+    }
 
     /// The closest of the points that face a place which looks in these
     /// directions; off the end if there is none.
@@ -113,9 +122,22 @@ namespace Contact
     Projection<dim> project(const Point<dim>  &x,
                             const unsigned int facet) const;
 
+    /// Whether the surface ends at the side of a facet that a projection is on.
+    bool is_at_end(const Projection<dim> &projection) const;
+
+    /// Whether a point is behind the facet of its projection, and behind the
+    /// twins: at a convex edge it is behind all facets that meet there. In
+    /// front by up to @p slack [mm] is behind.
+    bool is_behind(const Point<dim>      &x,
+                   const Projection<dim> &projection,
+                   const double           slack) const;
+
     /// Squared distance of a point to its projection [mm^2].
     double distance_square(const Point<dim>      &x,
-                           const Projection<dim> &projection) const;
+                           const Projection<dim> &projection) const
+    {
+      return x.distance_square(position(projection.facet, projection.xi));
+    }
 
     /**
      * The distance beyond the end of a face, in facet coordinates, at which a

@@ -193,11 +193,18 @@ namespace Contact
       }
   }
 
-  /// Whether a node of a facet is on one of its sides.
+  /// Whether a place is on a side of its facet, or beyond it.
+  template<typename Place>
+  bool is_on_side(const Place &xi, const unsigned int side)
+  {
+    return (side % 2 == 0 ? -1 : 1) * coordinate(xi, side / 2) >= 1;
+  }
+
+  /// Whether a node of a facet is.
   template<int dim>
   bool is_on_side(const unsigned int a, const unsigned int side)
   {
-    return coordinate(node_place<dim>(a), side / 2) == (side % 2 == 0 ? -1 : 1);
+    return is_on_side(node_place<dim>(a), side);
   }
 
   /// Something at each node of a facet.

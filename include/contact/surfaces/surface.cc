@@ -8,6 +8,8 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -290,6 +292,18 @@ namespace Contact
   }
 
 
+
+  template<int dim>
+  double Surface<dim>::reference_length(const unsigned int facet) const
+  {
+    const auto        &a        = facets[facet].nodes;
+    const unsigned int last     = GeometryInfo<dim - 1>::vertices_per_cell - 1;
+    double             shortest = std::numeric_limits<double>::max();
+    for (unsigned int v = 0; v <= last / 2; ++v)
+      shortest =
+        std::min(shortest, nodes[a[v]].X.distance(nodes[a[last - v]].X));
+    return shortest / std::sqrt(dim - 1.);
+  }
 
   template class Surface<2>;
   template class Surface<3>;

@@ -275,16 +275,7 @@ namespace Contact
     void arrange();
 
     void collect_facets_of_nodes();
-    void chain_edges();
-    void renumber_nodes();
-    void link_edges();
-    void find_corners();
-    void find_features();
     void find_parted();
-    void measure_turns();
-
-    void link_sides();
-    void link_halves_of_sides();
 
     /// Cut the surface into its smooth sides: the nodes, and what is different
     /// in 2-D and in 3-D, the links of the facets.
@@ -295,10 +286,6 @@ namespace Contact
     /// The facets around a node of a facet that are on the same side.
     std::vector<unsigned int> same_side(const unsigned int facet,
                                         const unsigned int a) const;
-
-    /// The direction of an edge at its coordinate xi, undeformed.
-    Tensor<1, dim> reference_tangent(const SurfaceFacet<dim> &edge,
-                                     const double             xi) const;
 
     const Discretization<dim> &discretization;
   };
@@ -319,10 +306,6 @@ namespace Contact
   void Surface<2>::cut_links();
   template<>
   void Surface<3>::cut_links();
-  template<>
-  double Surface<2>::reference_length(const unsigned int edge) const;
-  template<>
-  double Surface<3>::reference_length(const unsigned int facet) const;
 
 
 

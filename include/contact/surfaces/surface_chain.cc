@@ -19,149 +19,181 @@ namespace Contact
     {
       return std::atan2(a[0] * b[1] - a[1] * b[0], a * b);
     }
-  } // namespace
 
 
 
-  template<>
-  Tensor<1, 2> Surface<2>::reference_tangent(const SurfaceFacet<2> &edge,
-                                             const double           xi) const
-  {
-    const EdgeShape shape(degree, xi);
-    Tensor<1, 2>    tangent;
-    for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
-      tangent += shape.first[a] * nodes[edge.nodes[a]].X;
-    return tangent;
-  }
+    /// From the first node of an edge to its last one [mm].
+    Tensor<1, 2> chord(const Surface<2> &chain, const SurfaceFacet<2> &edge)
+    {
+      return chain.nodes[edge.nodes[1]].X - chain.nodes[edge.nodes[0]].X;
+    }
 
 
 
-  template<>
-  void Surface<2>::chain_edges()
-  {
-    std::map<unsigned int, unsigned int> begins_at;
-    std::set<unsigned int>               ends;
-    for (unsigned int e = 0; e < facets.size(); ++e)
-      {
-        begins_at[facets[e].nodes[0]] = e;
-        ends.insert(facets[e].nodes[1]);
-      }
+    /// The direction of an edge at its coordinate xi, undeformed.
+    Tensor<1, 2> tangent_of(const Surface<2>      &chain,
+                            const SurfaceFacet<2> &edge,
+                            const double           xi)
+    {
+      const EdgeShape shape(chain.degree, xi);
+      Tensor<1, 2>    tangent;
+      for (unsigned int a = 0; a < chain.n_nodes_per_facet(); ++a)
+        tangent += shape.first[a] * chain.nodes[edge.nodes[a]].X;
+      return tangent;
+    }
 
-    // Follow every open chain from its beginning, then what is left: loops.
-    std::vector<SurfaceFacet<2>> chained;
-    std::vector<bool>            taken(facets.size(), false);
-    const auto                   follow = [&](unsigned int e) {
-      while (!taken[e])
+
+
+    /// Put edges in the order in which each goes on where one ends.
+    void chain_edges(std::vector<SurfaceFacet<2>> &facets)
+    {
+      std::map<unsigned int, unsigned int> begins_at;
+      std::set<unsigned int>               ends;
+      for (unsigned int e = 0; e < facets.size(); ++e)
         {
-          taken[e] = true;
-          chained.push_back(facets[e]);
-          if (const auto next = begins_at.find(facets[e].nodes[1]);
-              next != begins_at.end())
-            e = next->second;
+          begins_at[facets[e].nodes[0]] = e;
+          ends.insert(facets[e].nodes[1]);
         }
-    };
-    for (unsigned int e = 0; e < facets.size(); ++e)
-      if (ends.count(facets[e].nodes[0]) == 0)
-        follow(e);
-    for (unsigned int e = 0; e < facets.size(); ++e)
-      follow(e);
-    facets = chained;
-  }
 
-
-
-  template<>
-  void Surface<2>::renumber_nodes()
-  {
-    std::vector<unsigned int>   new_number(nodes.size(),
-                                         numbers::invalid_unsigned_int);
-    std::vector<SurfaceNode<2>> ordered;
-    for (SurfaceFacet<2> &edge : facets)
-      {
-        // Along the edge: first, (middle,) last.
-        std::vector<unsigned int> along{0, 1};
-        if (degree == 2)
-          along = {0, 2, 1};
-        for (const unsigned int a : along)
+      // Follow every open chain from its beginning, then what is left: loops.
+      std::vector<SurfaceFacet<2>> chained;
+      std::vector<bool>            taken(facets.size(), false);
+      const auto                   follow = [&](unsigned int e) {
+        while (!taken[e])
           {
-            unsigned int &node = edge.nodes[a];
-            if (new_number[node] == numbers::invalid_unsigned_int)
-              {
-                new_number[node] = ordered.size();
-                ordered.push_back(nodes[node]);
-              }
-            node = new_number[node];
+            taken[e] = true;
+            chained.push_back(facets[e]);
+            if (const auto next = begins_at.find(facets[e].nodes[1]);
+                next != begins_at.end())
+              e = next->second;
           }
-      }
-    nodes = ordered; // none of them hangs
-  }
+      };
+      for (unsigned int e = 0; e < facets.size(); ++e)
+        if (ends.count(facets[e].nodes[0]) == 0)
+          follow(e);
+      for (unsigned int e = 0; e < facets.size(); ++e)
+        follow(e);
+      facets = chained;
+    }
 
 
 
-  template<>
-  void Surface<2>::link_edges()
-  {
-    std::map<unsigned int, unsigned int> begins_at;
-    for (unsigned int e = 0; e < facets.size(); ++e)
-      begins_at[facets[e].nodes[0]] = e;
-    collect_facets_of_nodes();
-    for (unsigned int e = 0; e < facets.size(); ++e)
-      if (const auto next = begins_at.find(facets[e].nodes[1]);
-          next != begins_at.end())
+    /// Number the nodes along the chain.
+    void renumber_nodes(Surface<2> &chain)
+    {
+      std::vector<unsigned int>   new_number(chain.nodes.size(),
+                                           numbers::invalid_unsigned_int);
+      std::vector<SurfaceNode<2>> ordered;
+      for (SurfaceFacet<2> &edge : chain.facets)
         {
-          facets[e].neighbors[1]            = next->second;
-          facets[next->second].neighbors[0] = e;
+          // Along the edge: first, (middle,) last.
+          std::vector<unsigned int> along{0, 1};
+          if (chain.degree == 2)
+            along = {0, 2, 1};
+          for (const unsigned int a : along)
+            {
+              unsigned int &node = edge.nodes[a];
+              if (new_number[node] == numbers::invalid_unsigned_int)
+                {
+                  new_number[node] = ordered.size();
+                  ordered.push_back(chain.nodes[node]);
+                }
+              node = new_number[node];
+            }
         }
-  }
+      chain.nodes = ordered; // none of them hangs
+    }
 
 
 
-  // With the body on the left, the surface turns to the left where it is
-  // convex.
-  template<>
-  void Surface<2>::find_corners()
-  {
-    for (SurfaceFacet<2> &edge : facets)
-      {
-        if (edge.ends_surface(0))
-          continue;
-        SurfaceFacet<2> &before = facets[edge.neighbors[0]];
-        const double     turn =
-          angle(reference_tangent(before, 1), reference_tangent(edge, -1));
-        const double limit = numbers::PI / 180 * feature_angle;
-        before.corner[1] = edge.corner[0] = std::abs(turn) > limit;
-        before.ends_side[1] = edge.ends_side[0] = turn > limit;
-      }
-  }
+    /// Tell edges their neighbors.
+    void link_edges(std::vector<SurfaceFacet<2>> &facets)
+    {
+      std::map<unsigned int, unsigned int> begins_at;
+      for (unsigned int e = 0; e < facets.size(); ++e)
+        begins_at[facets[e].nodes[0]] = e;
+      for (unsigned int e = 0; e < facets.size(); ++e)
+        if (const auto next = begins_at.find(facets[e].nodes[1]);
+            next != begins_at.end())
+          {
+            facets[e].neighbors[1]            = next->second;
+            facets[next->second].neighbors[0] = e;
+          }
+    }
 
 
 
-  // The middle of an arc of two edges turns by as much as both of its ends do
-  // together, on longer arcs every kink turns by less. Beside an end of the
-  // surface nothing is known of how it goes on.
-  template<>
-  void Surface<2>::find_features()
-  {
-    const auto turn_at = [this](const unsigned int e) {
-      return e == numbers::invalid_unsigned_int || facets[e].ends_surface(0)
-               ? numbers::PI
-               : std::abs(
-                   angle(reference_tangent(facets[facets[e].neighbors[0]], 1),
-                         reference_tangent(facets[e], -1)));
-    };
-    for (unsigned int e = 0; e < facets.size(); ++e)
-      {
-        SurfaceFacet<2> &edge = facets[e];
-        if (edge.ends_surface(0))
-          continue;
-        const double turn = turn_at(e);
-        const bool   is_alone =
-          turn > numbers::PI / 360 * feature_angle &&
-          turn_at(edge.neighbors[0]) + turn_at(edge.neighbors[1]) < turn / 2;
-        facets[edge.neighbors[0]].is_feature[1] = edge.is_feature[0] =
-          edge.corner[0] || is_alone;
-      }
-  }
+    // With the body on the left, the surface turns to the left where it is
+    // convex.
+    void find_corners(Surface<2> &chain)
+    {
+      for (SurfaceFacet<2> &edge : chain.facets)
+        {
+          if (edge.ends_surface(0))
+            continue;
+          SurfaceFacet<2> &before = chain.facets[edge.neighbors[0]];
+          const double     turn =
+            angle(tangent_of(chain, before, 1), tangent_of(chain, edge, -1));
+          const double limit = numbers::PI / 180 * Surface<2>::feature_angle;
+          before.corner[1] = edge.corner[0] = std::abs(turn) > limit;
+          before.ends_side[1] = edge.ends_side[0] = turn > limit;
+        }
+    }
+
+
+
+    // The middle of an arc of two edges turns by as much as both of its ends do
+    // together, on longer arcs every kink turns by less. Beside an end of the
+    // surface nothing is known of how it goes on.
+    void find_features(Surface<2> &chain)
+    {
+      const auto turn_at = [&chain](const unsigned int e) {
+        return e == numbers::invalid_unsigned_int ||
+                   chain.facets[e].ends_surface(0)
+                 ? numbers::PI
+                 : std::abs(angle(
+                     tangent_of(chain,
+                                chain.facets[chain.facets[e].neighbors[0]],
+                                1),
+                     tangent_of(chain, chain.facets[e], -1)));
+      };
+      for (unsigned int e = 0; e < chain.facets.size(); ++e)
+        {
+          SurfaceFacet<2> &edge = chain.facets[e];
+          if (edge.ends_surface(0))
+            continue;
+          const double turn = turn_at(e);
+          const bool   is_alone =
+            turn > numbers::PI / 360 * Surface<2>::feature_angle &&
+            turn_at(edge.neighbors[0]) + turn_at(edge.neighbors[1]) < turn / 2;
+          chain.facets[edge.neighbors[0]].is_feature[1] = edge.is_feature[0] =
+            edge.corner[0] || is_alone;
+        }
+    }
+
+
+
+    void measure_turns(Surface<2> &chain)
+    {
+      chain.turning_angles.assign(chain.nodes.size(), 0.);
+      for (const SurfaceFacet<2> &edge : chain.facets)
+        {
+          if (!edge.ends_surface(0))
+            chain.turning_angles[edge.nodes[0]] =
+              std::abs(angle(chord(chain, chain.facets[edge.neighbors[0]]),
+                             chord(chain, edge)));
+          if (chain.degree == 2)
+            chain.turning_angles[edge.nodes[2]] = std::abs(
+              angle(tangent_of(chain, edge, -1), tangent_of(chain, edge, 1)));
+        }
+
+      // The body ends there, or it goes on with a side that is in no group.
+      for (const SurfaceFacet<2> &edge : chain.facets)
+        for (unsigned int a = 0; a < 2; ++a)
+          if (edge.ends_surface(a))
+            chain.turning_angles[edge.nodes[a]] = numbers::PI / 2;
+    }
+  } // namespace
 
 
 
@@ -181,32 +213,6 @@ namespace Contact
     return angle(half(before, 1), half(facets[e], 0)) -
            0.5 * (angle(half(before, 0), half(before, 1)) +
                   angle(half(facets[e], 0), half(facets[e], 1)));
-  }
-
-
-
-  template<>
-  void Surface<2>::measure_turns()
-  {
-    turning_angles.assign(nodes.size(), 0.);
-    const auto chord = [this](const SurfaceFacet<2> &edge) {
-      return nodes[edge.nodes[1]].X - nodes[edge.nodes[0]].X;
-    };
-    for (const SurfaceFacet<2> &edge : facets)
-      {
-        if (!edge.ends_surface(0))
-          turning_angles[edge.nodes[0]] =
-            std::abs(angle(chord(facets[edge.neighbors[0]]), chord(edge)));
-        if (degree == 2)
-          turning_angles[edge.nodes[2]] = std::abs(
-            angle(reference_tangent(edge, -1), reference_tangent(edge, 1)));
-      }
-
-    // The body ends there, or it goes on with a side that is in no group.
-    for (const SurfaceFacet<2> &edge : facets)
-      for (unsigned int a = 0; a < 2; ++a)
-        if (edge.ends_surface(a))
-          turning_angles[edge.nodes[a]] = numbers::PI / 2;
   }
 
 
@@ -247,12 +253,13 @@ namespace Contact
   template<>
   void Surface<2>::arrange()
   {
-    chain_edges();
-    renumber_nodes();
-    link_edges();
-    find_corners();
-    find_features();
-    measure_turns();
+    chain_edges(facets);
+    renumber_nodes(*this);
+    collect_facets_of_nodes();
+    link_edges(facets);
+    find_corners(*this);
+    find_features(*this);
+    measure_turns(*this);
   }
 
 
@@ -276,28 +283,17 @@ namespace Contact
       const Point<2> &a = nodes[edge.nodes[0]].X, &b = nodes[edge.nodes[1]].X;
       return edge.middle.distance(a + 0.5 * (b - a)) <= 1e-6 * a.distance(b);
     };
-    const auto chord = [this](const SurfaceFacet<2> &edge) {
-      return nodes[edge.nodes[1]].X - nodes[edge.nodes[0]].X;
-    };
     double largest = 0;
     for (const SurfaceFacet<2> &edge : facets)
       if (!edge.ends_surface(0))
         {
           const double bend =
             180 / numbers::PI *
-            std::abs(angle(chord(facets[edge.neighbors[0]]), chord(edge)));
+            std::abs(angle(chord(*this, facets[edge.neighbors[0]]),
+                           chord(*this, edge)));
           if (!edge.corner[0] && is_straight(edge))
             largest = std::max(largest, bend);
         }
     return largest;
-  }
-
-
-
-  template<>
-  double Surface<2>::reference_length(const unsigned int edge) const
-  {
-    const auto &ends = facets[edge].nodes;
-    return nodes[ends[0]].X.distance(nodes[ends[1]].X);
   }
 } // namespace Contact

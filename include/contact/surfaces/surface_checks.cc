@@ -206,25 +206,18 @@ namespace Contact
     });
   }
 
-  template void check_surfaces(const Surface<2>          &slave,
-                               const Surface<2>          &master,
-                               const Discretization<2>   &discretization,
-                               const Parameters::Contact &parameters);
-  template void check_surfaces(const Surface<3>          &slave,
-                               const Surface<3>          &master,
-                               const Discretization<3>   &discretization,
-                               const Parameters::Contact &parameters);
-  template void check_ties(const Surface<2>             &slave,
-                           const Surface<2>             *master,
-                           const std::set<unsigned int> &excluded,
-                           const Discretization<2>      &discretization,
-                           const Parameters::Contact    &parameters);
-  template void check_ties(const Surface<3>             &slave,
-                           const Surface<3>             *master,
-                           const std::set<unsigned int> &excluded,
-                           const Discretization<3>      &discretization,
-                           const Parameters::Contact    &parameters);
-
-  template bool overlap(const Surface<2> &a, const Surface<2> &b);
-  template bool overlap(const Surface<3> &a, const Surface<3> &b);
+#define INSTANTIATE(dim)                                                  \
+  template void check_surfaces(const Surface<dim>        &slave,          \
+                               const Surface<dim>        &master,         \
+                               const Discretization<dim> &discretization, \
+                               const Parameters::Contact &parameters);    \
+  template void check_ties(const Surface<dim>           &slave,           \
+                           const Surface<dim>           *master,          \
+                           const std::set<unsigned int> &excluded,        \
+                           const Discretization<dim>    &discretization,  \
+                           const Parameters::Contact    &parameters);        \
+  template bool overlap(const Surface<dim> &a, const Surface<dim> &b);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Contact

@@ -18,108 +18,113 @@ namespace Contact
   {
     /// Two nodes, or a facet and the number of a side.
     using Side = std::pair<unsigned int, unsigned int>;
+
+
+
+    // A side that two smaller facets share has the first of them as its
+    // neighbor.
+    void link_halves_of_sides(Surface<3> &surface)
+    {
+      std::map<Side, std::vector<unsigned int>> middles; // by the ends
+      for (unsigned int node = 0; node < surface.nodes.size(); ++node)
+        if (surface.parents[node].size() == 2)
+          middles[std::minmax(surface.parents[node][0].first,
+                              surface.parents[node][1].first)]
+            .push_back(node);
+
+      std::map<Side, Side> side_of; // by the ends of halves
+      for (unsigned int e = 0; e < surface.facets.size(); ++e)
+        for (unsigned int s = 0; s < 4; ++s)
+          {
+            const auto [a, b] = corners_of_side[s];
+            const Side ends   = std::minmax(surface.facets[e].nodes[a],
+                                          surface.facets[e].nodes[b]);
+            const auto halve  = [&](const unsigned int middle) {
+              side_of.emplace(std::minmax(ends.first, middle), Side(e, s));
+              side_of.emplace(std::minmax(middle, ends.second), Side(e, s));
+            };
+            if (surface.degree == 2)
+              halve(surface.facets[e].nodes[4 + s]);
+            else if (const auto found = middles.find(ends);
+                     found != middles.end())
+              for (const unsigned int middle : found->second)
+                halve(middle);
+          }
+
+      for (unsigned int e = 0; e < surface.facets.size(); ++e)
+        for (unsigned int s = 0; s < 4; ++s)
+          {
+            const auto [a, b] = corners_of_side[s];
+            const auto larger =
+              side_of.find(std::minmax(surface.facets[e].nodes[a],
+                                       surface.facets[e].nodes[b]));
+            if (!surface.facets[e].ends_surface(s) || larger == side_of.end())
+              continue;
+            const auto [other, side]       = larger->second;
+            surface.facets[e].neighbors[s] = other;
+            if (surface.facets[other].ends_surface(side))
+              surface.facets[other].neighbors[side] = e;
+          }
+    }
+
+
+
+    void link_sides(Surface<3> &surface)
+    {
+      std::map<Side, Side> side_of;
+      for (unsigned int e = 0; e < surface.facets.size(); ++e)
+        for (unsigned int s = 0; s < 4; ++s)
+          {
+            const auto [a, b] = corners_of_side[s];
+            const Side ends   = std::minmax(surface.facets[e].nodes[a],
+                                          surface.facets[e].nodes[b]);
+            const auto found  = side_of.emplace(ends, Side(e, s));
+            if (found.second)
+              continue;
+            const auto [other, side]              = found.first->second;
+            surface.facets[e].neighbors[s]        = other;
+            surface.facets[other].neighbors[side] = e;
+          }
+      link_halves_of_sides(surface);
+    }
+
+
+
+    // The surface.facets meet in a corner if their normals at the middle of the
+    // side differ: a convex one if the other facet falls off behind the plane
+    // of this one.
+    void find_corners(Surface<3> &surface)
+    {
+      const DeformedSurface<3> drawn(surface, {});
+      const auto normal_at = [&](const unsigned int e, const Side &ends) {
+        Tensor<1, 3> sum;
+        for (unsigned int a = 0; a < 4; ++a)
+          if (surface.facets[e].nodes[a] == ends.first ||
+              surface.facets[e].nodes[a] == ends.second)
+            sum += drawn.normal(e, node_place<3>(a));
+        return sum / sum.norm();
+      };
+      const double smallest_cosine =
+        std::cos(numbers::PI / 180 * Surface<3>::feature_angle);
+      for (unsigned int e = 0; e < surface.facets.size(); ++e)
+        for (unsigned int s = 0; s < 4; ++s)
+          {
+            SurfaceFacet<3> &facet = surface.facets[e];
+            if (facet.ends_surface(s))
+              continue;
+            const auto [a, b] = corners_of_side[s];
+            const Side         ends(facet.nodes[a], facet.nodes[b]);
+            const Tensor<1, 3> own  = normal_at(e, ends);
+            const Tensor<1, 3> next = normal_at(facet.neighbors[s], ends);
+            facet.corner[s]         = own * next < smallest_cosine;
+            facet.ends_side[s] =
+              facet.corner[s] &&
+              own * (surface.facets[facet.neighbors[s]].middle -
+                     surface.nodes[ends.first].X) <
+                0;
+          }
+    }
   } // namespace
-
-
-
-  // A side that two smaller facets share has the first of them as its neighbor.
-  template<>
-  void Surface<3>::link_halves_of_sides()
-  {
-    std::map<Side, std::vector<unsigned int>> middles; // by the ends
-    for (unsigned int node = 0; node < nodes.size(); ++node)
-      if (parents[node].size() == 2)
-        middles[std::minmax(parents[node][0].first, parents[node][1].first)]
-          .push_back(node);
-
-    std::map<Side, Side> side_of; // by the ends of halves
-    for (unsigned int e = 0; e < facets.size(); ++e)
-      for (unsigned int s = 0; s < 4; ++s)
-        {
-          const auto [a, b] = corners_of_side[s];
-          const Side ends = std::minmax(facets[e].nodes[a], facets[e].nodes[b]);
-          const auto halve = [&](const unsigned int middle) {
-            side_of.emplace(std::minmax(ends.first, middle), Side(e, s));
-            side_of.emplace(std::minmax(middle, ends.second), Side(e, s));
-          };
-          if (degree == 2)
-            halve(facets[e].nodes[4 + s]);
-          else if (const auto found = middles.find(ends);
-                   found != middles.end())
-            for (const unsigned int middle : found->second)
-              halve(middle);
-        }
-
-    for (unsigned int e = 0; e < facets.size(); ++e)
-      for (unsigned int s = 0; s < 4; ++s)
-        {
-          const auto [a, b] = corners_of_side[s];
-          const auto larger =
-            side_of.find(std::minmax(facets[e].nodes[a], facets[e].nodes[b]));
-          if (!facets[e].ends_surface(s) || larger == side_of.end())
-            continue;
-          const auto [other, side] = larger->second;
-          facets[e].neighbors[s]   = other;
-          if (facets[other].ends_surface(side))
-            facets[other].neighbors[side] = e;
-        }
-  }
-
-
-
-  template<>
-  void Surface<3>::link_sides()
-  {
-    std::map<Side, Side> side_of;
-    for (unsigned int e = 0; e < facets.size(); ++e)
-      for (unsigned int s = 0; s < 4; ++s)
-        {
-          const auto [a, b] = corners_of_side[s];
-          const Side ends = std::minmax(facets[e].nodes[a], facets[e].nodes[b]);
-          const auto found = side_of.emplace(ends, Side(e, s));
-          if (found.second)
-            continue;
-          const auto [other, side]      = found.first->second;
-          facets[e].neighbors[s]        = other;
-          facets[other].neighbors[side] = e;
-        }
-    link_halves_of_sides();
-  }
-
-
-
-  // The facets meet in a corner if their normals at the middle of the side
-  // differ: a convex one if the other facet falls off behind the plane of this
-  // one.
-  template<>
-  void Surface<3>::find_corners()
-  {
-    const DeformedSurface<3> drawn(*this, {});
-    const auto normal_at = [&](const unsigned int e, const Side &ends) {
-      Tensor<1, 3> sum;
-      for (unsigned int a = 0; a < 4; ++a)
-        if (facets[e].nodes[a] == ends.first ||
-            facets[e].nodes[a] == ends.second)
-          sum += drawn.normal(e, node_place<3>(a));
-      return sum / sum.norm();
-    };
-    const double smallest_cosine = std::cos(numbers::PI / 180 * feature_angle);
-    for (unsigned int e = 0; e < facets.size(); ++e)
-      for (unsigned int s = 0; s < 4; ++s)
-        {
-          SurfaceFacet<3> &facet = facets[e];
-          if (facet.ends_surface(s))
-            continue;
-          const auto [a, b] = corners_of_side[s];
-          const Side         ends(facet.nodes[a], facet.nodes[b]);
-          const Tensor<1, 3> own  = normal_at(e, ends);
-          const Tensor<1, 3> next = normal_at(facet.neighbors[s], ends);
-          facet.corner[s]         = own * next < smallest_cosine;
-          facet.ends_side[s] =
-            facet.corner[s] &&
-            own * (facets[facet.neighbors[s]].middle - nodes[ends.first].X) < 0;
-        }
-  }
 
 
 
@@ -127,8 +132,8 @@ namespace Contact
   void Surface<3>::arrange()
   {
     collect_facets_of_nodes();
-    link_sides();
-    find_corners();
+    link_sides(*this);
+    find_corners(*this);
   }
 
 
@@ -153,17 +158,6 @@ namespace Contact
             facet.corner[s]    = false;
             facet.ends_side[s] = true;
           }
-  }
-
-
-
-  template<>
-  double Surface<3>::reference_length(const unsigned int facet) const
-  {
-    const auto &a = facets[facet].nodes;
-    return std::min(nodes[a[0]].X.distance(nodes[a[3]].X),
-                    nodes[a[1]].X.distance(nodes[a[2]].X)) /
-           std::sqrt(2.);
   }
 
 

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "base/constraint_entries.h"
+
 namespace Contact
 {
   template<int dim>
@@ -134,10 +136,11 @@ namespace Contact
       for (const auto dof : elasticity.dofs_of_cell(c))
         {
           of_cells.push_back(dof);
-          if (const auto *entries =
-                discretization.constraints.get_constraint_entries(dof))
-            for (const auto &entry : *entries)
-              of_cells.push_back(entry.first);
+          visit_leaders(discretization.constraints,
+                        dof,
+                        [&](const auto leader, const double) {
+                          of_cells.push_back(leader);
+                        });
         }
     interface_dofs = all_of_interface(std::move(of_cells));
     std::sort(interface_dofs.begin(), interface_dofs.end());

@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/constraint_entries.h"
+
 namespace Contact
 {
   CondensedTangents::CondensedTangents(
@@ -150,21 +152,18 @@ namespace Contact
     make_unique();
     const Dofs of_locals = dofs;
     for (const Dof dof : of_locals)
-      if (lines.is_constrained(dof))
-        for (const auto &entry : *lines.get_constraint_entries(dof))
-          dofs.push_back(entry.first);
+      visit_leaders(lines, dof, [&dofs](const Dof leader, const double) {
+        dofs.push_back(leader);
+      });
     make_unique();
 
     columns.leaders.resize(dofs.size());
     for (const Dof dof : of_locals)
       {
-        const unsigned int column = columns.number(dof);
-        Row               &row    = columns.leaders[column];
-        if (!lines.is_constrained(dof))
-          row.emplace_back(column, 1.);
-        else
-          for (const auto &[leader, part] : *lines.get_constraint_entries(dof))
-            row.emplace_back(columns.number(leader), part);
+        Row &row = columns.leaders[columns.number(dof)];
+        visit_leaders(lines, dof, [&](const Dof leader, const double part) {
+          row.emplace_back(columns.number(leader), part);
+        });
       }
     return columns;
   }
@@ -218,12 +217,11 @@ namespace Contact
     for (const auto &[row, parts] : find_rows())
       {
         const unsigned int k = rows.size();
-        if (!test_lines.is_constrained(row))
-          rows_of[row].emplace_back(k, 1.);
-        else
-          for (const auto &[leader, part] :
-               *test_lines.get_constraint_entries(row))
-            rows_of[leader].emplace_back(k, part);
+        visit_leaders(test_lines,
+                      row,
+                      [&](const Dof leader, const double part) {
+                        rows_of[leader].emplace_back(k, part);
+                      });
         rows.push_back(condensed_row(row, parts, columns, sum));
         if (follows(row))
           for (const auto &[l, i] : parts)

@@ -6,10 +6,9 @@
 #include "solvers/condensed/contact_elimination.h"
 
 #include <algorithm>
-#include <limits>
-#include <sstream>
+#include <cmath>
 
-#include "base/errors.h"
+#include "base/exchange.h"
 
 namespace Contact
 {
@@ -22,30 +21,6 @@ namespace Contact
     /// The rest of an equation that follows from others is round-off: of the
     /// same sums in another order, and of the pairing.
     const double smallest_of_any = 1e-8;
-
-
-
-    template<int dim>
-    std::string place(const ContactPoint<dim> &point)
-    {
-      std::ostringstream text;
-      text << (point.is_on_slave(0) ? "the node of the slave"
-                                    : "the corner of the master")
-           << " at (" << point.X(0) << ")";
-      return text.str();
-    }
-
-
-
-    /// The round-off of a gap [mm].
-    template<int dim>
-    double gap_round_off(const ContactPoint<dim> &point)
-    {
-      double largest = 0;
-      for (const SurfaceNode<dim> *node : point.nodes)
-        largest = std::max(largest, node->X.norm());
-      return 1e3 * std::numeric_limits<double>::epsilon() * largest;
-    }
   } // namespace
 
 
@@ -113,8 +88,7 @@ namespace Contact
     eliminated.clear();
     rows.clear();
     test_rows.clear();
-    contradicting    = nullptr;
-    largest_conflict = 0;
+    contradictions = {};
 
     // A point that slips under a moving bound makes the matrix unsymmetric, and
     // a change of the pairing.
@@ -353,8 +327,6 @@ namespace Contact
 
 
   // An equation that follows from others is redundant, or contradicts them.
-  // Where supports hold all, no pressure helps against penetration; else the
-  // statuses may be others in the next step.
   template<int dim>
   void ContactElimination<dim>::drop(const ContactPoint<dim> &point,
                                      const Row               &row,
@@ -363,41 +335,7 @@ namespace Contact
     double left = -row.constant;
     for (const auto &[dof, coefficient] : row.entries)
       left += coefficient * discretization.constraints.get_inhomogeneity(dof);
-    if (std::abs(left) <= gap_round_off(point))
-      return;
-    if (is_held && left < 0)
-      {
-        std::ostringstream text;
-        text << place(point)
-             << " is over-constrained: supports hold it and what it faces, and "
-                "move them "
-             << -left
-             << " mm into each other; let the supports end before the contact "
-                "surfaces, or name the node in Contact/Excluded points";
-        throw NotConverged(text.str());
-      }
-    if (std::abs(left) > largest_conflict)
-      {
-        largest_conflict = std::abs(left);
-        contradicting    = &point;
-      }
-  }
-
-
-
-  template<int dim>
-  std::string ContactElimination<dim>::contradiction() const
-  {
-    if (contradicting == nullptr)
-      return "";
-    std::ostringstream text;
-    text << "; " << place(*contradicting)
-         << " is over-constrained: what it has to do contradicts other points "
-            "and supports by "
-         << largest_conflict
-         << " mm; exchange slave and master, or let the supports or the "
-            "surfaces end before they meet";
-    return text.str();
+    contradictions.add(point, left, is_held);
   }
 
 
@@ -441,8 +379,7 @@ namespace Contact
       for (const ContactPoint<dim> &point : interface->points())
         if (point.status.kind != Status::open)
           dofs.insert(dofs.end(), point.dofs(0).begin(), point.dofs(0).end());
-    std::sort(dofs.begin(), dofs.end());
-    dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
+    sort_unique(dofs);
     return dofs;
   }
 
@@ -489,44 +426,20 @@ namespace Contact
 
 
   template<int dim>
-  MultiplierRecovery<dim>
-  ContactElimination<dim>::recovery(const GhostedVector &u_start,
-                                    const GhostedVector &solution) const
-  {
-    return {discretization,
-            *interface,
-            eliminated,
-            SlipDirectionStiffness<dim>::rotated_shears(turning,
-                                                        *interface,
-                                                        solution,
-                                                        u_start)};
-  }
-
-
-
-  template<int dim>
   void
   ContactElimination<dim>::recover_multipliers(const GhostedVector &residual,
                                                const GhostedVector &u_start,
                                                GhostedVector &solution) const
   {
-    const auto tractions = recovery(u_start, solution).tractions(residual);
-    for (unsigned int k = 0; k < tractions.size(); ++k)
-      {
-        const ContactPoint<dim> &point = interface->points()[k];
-        solution[interface->normal_index(point.multipliers[0])] =
-          tractions[k].p;
-        if (interface->contact_pair(point).law.is_frictionless())
-          continue;
-        const double bound = interface->bounds.law(point).bound(tractions[k].p);
-        Tensor<1, dim - 1> q;
-        if (point.status.kind == Status::stick)
-          q = tractions[k].q;
-        else if (point.status.has_direction())
-          q = point.status.direction() * bound + tractions[k].q;
-        for (unsigned int t = 0; t < dim - 1; ++t)
-          solution[interface->tangential_index(point.multipliers[0], t)] = q[t];
-      }
+    MultiplierRecovery<dim>(
+      discretization,
+      *interface,
+      eliminated,
+      SlipDirectionStiffness<dim>::rotated_shears(turning,
+                                                  *interface,
+                                                  solution,
+                                                  u_start))
+      .write(residual, solution);
   }
 
   template class ContactElimination<2>;

@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "contact/interface/contact_interface.h"
+#include "solvers/condensed/contradiction.h"
 #include "solvers/condensed/multiplier_recovery.h"
 #include "solvers/condensed/pairing_stiffness.h"
 #include "solvers/condensed/row_elimination.h"
@@ -136,7 +137,10 @@ namespace Contact
 
     /// A description of the last equations that contradict each other, for the
     /// message of a Newton's method that does not converge. Else empty.
-    std::string contradiction() const;
+    std::string contradiction() const
+    {
+      return contradictions.message();
+    }
 
   private:
     using Row = RowElimination::Row;
@@ -170,9 +174,6 @@ namespace Contact
               const Row               &test_row,
               const double             smallest) const;
 
-    MultiplierRecovery<dim> recovery(const GhostedVector &u_start,
-                                     const GhostedVector &solution) const;
-
     const Discretization<dim>   &discretization;
     const ContactInterface<dim> *interface;
 
@@ -184,9 +185,7 @@ namespace Contact
     std::vector<typename SlipDirectionStiffness<dim>::Term> turning;
     std::vector<PairingStiffness<dim>>                      of_pairing;
 
-    /// The point of the worst of the contradicting equations, and by how much.
-    const ContactPoint<dim> *contradicting    = nullptr;
-    double                   largest_conflict = 0; // [mm]
+    Contradiction<dim> contradictions; // of the last make()
   };
 } // namespace Contact
 

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/constraint_entries.h"
+
 namespace Contact
 {
   template<int dim>
@@ -52,28 +54,20 @@ namespace Contact
   template<int dim>
   void MultiplierRecovery<dim>::collect_shares()
   {
-    const auto add =
-      [this](const Dof dof, const Share &share, const double part) {
-        if (const auto equation = equations.find(dof);
-            equation != equations.end())
-          equation->second.push_back(
-            {share.point, share.coordinate, part * share.factor});
-      };
     for (unsigned int k = 0; k < points.size(); ++k)
       if (points[k].status.kind != Status::open)
         for (unsigned int a = 0; a < points[k].n_nodes; ++a)
           for (unsigned int i = 0; i < dim; ++i)
-            {
-              const Dof   dof = points[k].dofs(a)[i];
-              const Share share{k, i, points[k].weight * points[k].C[a]};
-              const auto *entries =
-                discretization.constraints.get_constraint_entries(dof);
-              if (entries == nullptr)
-                add(dof, share, 1);
-              else
-                for (const auto &entry : *entries)
-                  add(entry.first, share, entry.second);
-            }
+            visit_leaders(discretization.constraints,
+                          points[k].dofs(a)[i],
+                          [&](const Dof dof, const double part) {
+                            if (const auto equation = equations.find(dof);
+                                equation != equations.end())
+                              equation->second.push_back(
+                                {k,
+                                 i,
+                                 part * (points[k].weight * points[k].C[a])});
+                          });
   }
 
 
@@ -394,6 +388,30 @@ namespace Contact
           break;
       }
     return x;
+  }
+
+
+
+  template<int dim>
+  void MultiplierRecovery<dim>::write(const GhostedVector &residual,
+                                      GhostedVector       &solution) const
+  {
+    const auto tractions = this->tractions(residual);
+    for (unsigned int k = 0; k < tractions.size(); ++k)
+      {
+        const ContactPoint<dim> &point                         = points[k];
+        solution[interface.normal_index(point.multipliers[0])] = tractions[k].p;
+        if (interface.contact_pair(point).law.is_frictionless())
+          continue;
+        const double bound = interface.bounds.law(point).bound(tractions[k].p);
+        Tensor<1, dim - 1> q;
+        if (point.status.kind == Status::stick)
+          q = tractions[k].q;
+        else if (point.status.has_direction())
+          q = point.status.direction() * bound + tractions[k].q;
+        for (unsigned int t = 0; t < dim - 1; ++t)
+          solution[interface.tangential_index(point.multipliers[0], t)] = q[t];
+      }
   }
 
   template class MultiplierRecovery<2>;

@@ -50,6 +50,10 @@ namespace Contact
     /// direction.
     std::vector<Pair> tractions(const GhostedVector &residual) const;
 
+    /// Make them, and the shears at their bounds, the multipliers of a
+    /// solution.
+    void write(const GhostedVector &residual, GhostedVector &solution) const;
+
   private:
     using Dof = types::global_dof_index;
 

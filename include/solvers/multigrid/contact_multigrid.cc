@@ -15,39 +15,21 @@ namespace Contact
 {
   namespace
   {
-    /// The way of a spring by unknowns that are not eliminated.
-    SurfaceRows::Sum reduced(const SurfaceSpring::Way        &way,
-                             const AffineConstraints<double> &lines)
+    void add_spring(const double                     stiffness,
+                    const SurfaceRows               &springs,
+                    const unsigned int               row,
+                    const AffineConstraints<double> &lines,
+                    TrilinosWrappers::SparseMatrix  &matrix)
     {
-      SurfaceRows::Sum sum;
-      for (const auto &[dof, factor] : way)
-        if (!lines.is_constrained(dof))
-          sum[dof] += factor;
-        else if (const auto *entries = lines.get_constraint_entries(dof))
-          for (const auto &[other, share] : *entries)
-            sum[other] += factor * share;
-      return sum;
-    }
-
-
-
-    void add_spring(const double                    stiffness,
-                    const SurfaceRows              &springs,
-                    const unsigned int              row,
-                    TrilinosWrappers::SparseMatrix &matrix)
-    {
-      const unsigned int  begin = springs.begin(row);
-      std::vector<double> values(springs.end(row) - begin);
-      for (unsigned int k = begin; k < springs.end(row); ++k)
-        {
-          for (unsigned int j = 0; j < values.size(); ++j)
-            values[j] =
-              stiffness * springs.factors[k] * springs.factors[begin + j];
-          matrix.add(springs.others[k],
-                     values.size(),
-                     springs.others.data() + begin,
-                     values.data());
-        }
+      const unsigned int begin = springs.begin(row);
+      FullMatrix<double> of_spring(springs.end(row) - begin);
+      for (unsigned int i = 0; i < of_spring.m(); ++i)
+        for (unsigned int j = 0; j < of_spring.n(); ++j)
+          of_spring(i, j) =
+            stiffness * springs.factors[begin + i] * springs.factors[begin + j];
+      lines.distribute_local_to_global(of_spring,
+                                       springs.others_of(row),
+                                       matrix);
     }
   } // namespace
 
@@ -290,8 +272,8 @@ namespace Contact
     coarse_lines         = level.all_lines();
     const AffineConstraints<double> all = coarse_constraints();
     SurfaceRows                     springs;
-    for (const auto &spring : level.own_springs())
-      springs.add_row(numbers::invalid_dof_index, reduced(spring.way, all));
+    for (const auto &[stiffness, way] : level.own_springs())
+      springs.add_row(numbers::invalid_dof_index, {way.begin(), way.end()});
     if (!coarse_solver || new_lines)
       coarse_couplings.clear();
     const bool new_couplings = add_couplings(springs);
@@ -311,8 +293,9 @@ namespace Contact
         for (Dof i = 0; i < level.m(); ++i)
           pattern.add(i, i);
         for (const Dofs &coupling : coarse_couplings)
-          for (const Dof dof : coupling)
-            pattern.add_entries(dof, coupling.begin(), coupling.end(), true);
+          all.add_entries_local_to_global(coupling,
+                                          pattern,
+                                          /*keep_constrained_entries=*/true);
         const IndexSet rows = complete_index_set(level.m());
         coarse_solver.reset();
         coarse_matrix.clear();
@@ -331,7 +314,11 @@ namespace Contact
           all.distribute_local_to_global(*tangent++, dofs, coarse_matrix);
         }
     for (unsigned int k = 0; k < springs.size(); ++k)
-      add_spring(level.own_springs()[k].stiffness, springs, k, coarse_matrix);
+      add_spring(level.own_springs()[k].stiffness,
+                 springs,
+                 k,
+                 all,
+                 coarse_matrix);
     coarse_matrix.compress(VectorOperation::add);
     int    *starts, *columns;
     double *values;

@@ -13,6 +13,7 @@
 #include <limits>
 #include <sstream>
 
+#include "base/constraint_entries.h"
 #include "solvers/direct/negative_curvature.h"
 
 namespace Contact
@@ -145,30 +146,6 @@ namespace Contact
 
 
 
-  // Without a matrix there is room for whatever points see.
-  template<int dim>
-  bool MatrixFreeSystem<dim>::has_room_for_points() const
-  {
-    return true;
-  }
-
-
-
-  template<int dim>
-  void MatrixFreeSystem<dim>::make_room()
-  {
-  }
-
-
-
-  template<int dim>
-  bool MatrixFreeSystem<dim>::make_room_for_lines()
-  {
-    return false;
-  }
-
-
-
   // Springs and thermal strains are beside the operator.
   template<int dim>
   bool MatrixFreeSystem<dim>::subtract_forces(const GhostedVector &u,
@@ -187,24 +164,6 @@ namespace Contact
 
 
 
-  // The operator has its own; these are for the forces of contact. In large
-  // displacement they are those of the first solution of a step.
-  template<int dim>
-  bool MatrixFreeSystem<dim>::needs_all_tangents() const
-  {
-    return !elasticity.is_linear();
-  }
-
-
-
-  template<int dim>
-  bool MatrixFreeSystem<dim>::any_rank_may_add() const
-  {
-    return true;
-  }
-
-
-
   // The surfaces, with what hanging nodes hang on.
   template<int dim>
   typename MatrixFreeSystem<dim>::Dofs
@@ -217,10 +176,11 @@ namespace Contact
         for (const auto dof : node.dofs)
           {
             of_cells.push_back(dof);
-            if (const auto *entries =
-                  discretization.constraints.get_constraint_entries(dof))
-              for (const auto &entry : *entries)
-                of_cells.push_back(entry.first);
+            visit_leaders(discretization.constraints,
+                          dof,
+                          [&](const Dof leader, const double) {
+                            of_cells.push_back(leader);
+                          });
           }
     };
     for (const auto &contact_pair : interface->pairs)
@@ -327,24 +287,16 @@ namespace Contact
           {
             sum.clear();
             for (unsigned int k = 0; k < way.size(); ++k)
-              if (const auto *entries =
-                    discretization.constraints.get_constraint_entries(
-                      term.dofs[k]))
-                for (const auto &[dof, factor] : *entries)
-                  sum[dof] += factor * way[k];
-              else if (way[k] != 0)
-                sum[term.dofs[k]] += way[k];
+              visit_leaders(discretization.constraints,
+                            term.dofs[k],
+                            [&, w = way[k]](const Dof    dof,
+                                            const double factor) {
+                              if (w != 0)
+                                sum[dof] += factor * w;
+                            });
             all.push_back({stiffness, {sum.begin(), sum.end()}});
           }
     return all;
-  }
-
-
-
-  template<int dim>
-  bool MatrixFreeSystem<dim>::knows_definiteness() const
-  {
-    return elimination.is_symmetric();
   }
 
 
@@ -398,12 +350,11 @@ namespace Contact
     Dofs       dofs;
     const auto add = [&](const Dofs &of_term) {
       for (const auto dof : of_term)
-        if (const auto *entries =
-              discretization.constraints.get_constraint_entries(dof))
-          for (const auto &entry : *entries)
-            dofs.push_back(entry.first);
-        else
-          dofs.push_back(dof);
+        visit_leaders(discretization.constraints,
+                      dof,
+                      [&](const Dof leader, const double) {
+                        dofs.push_back(leader);
+                      });
     };
     for (const auto &term : elimination.slip_direction_terms())
       add(term.dofs);
@@ -432,18 +383,16 @@ namespace Contact
         u.reinit(columns.size());
         force.reinit(rows.size());
         for (unsigned int j = 0; j < columns.size(); ++j)
-          if (const auto *entries = base.get_constraint_entries(columns[j]))
-            for (const auto &[dof, factor] : *entries)
-              u[j] += factor * surface(work, dof);
-          else
-            u[j] = surface(work, columns[j]);
+          visit_leaders(base,
+                        columns[j],
+                        [&](const Dof dof, const double factor) {
+                          u[j] += factor * surface(work, dof);
+                        });
         stiffness.vmult(force, u);
         for (unsigned int i = 0; i < rows.size(); ++i)
-          if (const auto *entries = base.get_constraint_entries(rows[i]))
-            for (const auto &[dof, factor] : *entries)
-              surface_forces.add(dst, dof, factor * force[i]);
-          else
-            surface_forces.add(dst, rows[i], force[i]);
+          visit_leaders(base, rows[i], [&](const Dof dof, const double factor) {
+            surface_forces.add(dst, dof, factor * force[i]);
+          });
       };
     surface.read(work);
     surface_forces.clear();

@@ -63,7 +63,10 @@ namespace Contact
                          GhostedVector       &rhs) const override;
 
     bool is_indefinite(const bool may_cost) override;
-    bool knows_definiteness() const override;
+    bool knows_definiteness() const override
+    {
+      return elimination.is_symmetric();
+    }
 
     using Vector = LinearAlgebra::distributed::Vector<double>;
 
@@ -84,11 +87,28 @@ namespace Contact
     static bool is_worth_it(const Discretization<dim> &discretization,
                             const Elasticity<dim>     &elasticity);
 
-    bool         has_room_for_points() const override;
-    void         make_room() override;
-    bool         make_room_for_lines() override;
-    bool         needs_all_tangents() const override;
-    bool         any_rank_may_add() const override;
+    // Without a matrix there is room for whatever points see.
+    bool has_room_for_points() const override
+    {
+      return true;
+    }
+    void make_room() override
+    {
+    }
+    bool make_room_for_lines() override
+    {
+      return false;
+    }
+    // The operator has its own; these are for the forces of contact. In large
+    // displacement they are those of the first solution of a step.
+    bool needs_all_tangents() const override
+    {
+      return !elasticity.is_linear();
+    }
+    bool any_rank_may_add() const override
+    {
+      return true;
+    }
     Dofs         all_of_interface(Dofs &&of_cells) const override;
     void         reset() override;
     void         assemble_bulk(const GhostedVector  &solution,

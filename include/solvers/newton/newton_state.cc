@@ -12,7 +12,6 @@
 
 #include "base/errors.h"
 #include "base/string_utilities.h"
-#include "contact/interface/contact_kernel.h"
 #include "contact/results/contact_results.h"
 #include "solvers/newton/nearby_state.h"
 
@@ -31,6 +30,7 @@ namespace Contact
     , state(state)
     , pairing(pairing)
     , timer(timer)
+    , statuses(model, system, pairing, convergence)
   {
   }
 
@@ -52,7 +52,7 @@ namespace Contact
     n_steps       = 0;
     part          = 0;
     one_at_a_time = false;
-    searches      = searches_in_step();
+    statuses.begin();
     last_residual = std::numeric_limits<double>::max();
     pairing.begin_newton();
     system->begin_newton();
@@ -99,7 +99,7 @@ namespace Contact
     n_status_changes = model.interface ? update_status(single_changes) : 0;
 
     TimerOutput::Scope scope(timer, "residual");
-    add_contact();
+    pairing.add_contact(state, rhs);
     convergence.evaluate(rhs, state);
     if (model.interface && has_converged() && close_in_full_pairing())
       evaluate_with(single_changes);
@@ -138,24 +138,6 @@ namespace Contact
       smallest = model.elasticity->subtract_forces(state.solution, rhs);
     rhs.compress_add();
     return smallest;
-  }
-
-
-
-  // To what all ranks have.
-  template<int dim>
-  void NewtonState<dim>::add_contact()
-  {
-    if (!model.interface)
-      return;
-    rhs.zero_out_ghosts();
-    ContactKernel<dim>(*model.interface)
-      .assemble(state.solution,
-                state.start,
-                pairing.linearization(),
-                rhs,
-                nullptr);
-    rhs.compress_add();
   }
 
 
@@ -312,7 +294,8 @@ namespace Contact
   {
     const bool before = one_at_a_time;
     one_at_a_time     = guard.one_at_a_time(n_status_changes);
-    searches          = searches && !one_at_a_time;
+    if (one_at_a_time)
+      statuses.stop();
     return one_at_a_time && !before;
   }
 
@@ -331,7 +314,7 @@ namespace Contact
                                                 convergence.force_scale(),
                                                 /*continues=*/false};
     unsigned int n = system->make_step(step, rhs, state);
-    n += search_statuses(step);
+    n += statuses.search(step, rhs, state);
     if (!expected_way)
       expected_way = state.largest_change(model, last);
     model.elasticity->end_first_step();
@@ -391,83 +374,6 @@ namespace Contact
            "may have snapped through, or found another support. The way there "
            "is not one of equilibrium. More increments show where it begins; "
            "prescribe the displacement instead of the force to follow it";
-  }
-
-
-
-  // Under some statuses nothing holds a body that contact alone holds: the
-  // matrix is singular, and its solution beyond all digits of the step's. Where
-  // that is so, and where statuses do not settle, they change from step to step
-  // from then on. What adds little to the residual is left to the next step,
-  // which another pairing gives other statuses anyway.
-  template<int dim>
-  unsigned int
-  NewtonState<dim>::search_statuses(typename LinearSystem<dim>::Step step)
-  {
-    if (!searches)
-      return 0;
-    unsigned int        n              = 0;
-    const unsigned int  max_iterations = 10;
-    const double        little         = 0.01; // of the residual
-    const GhostedVector first          = state.solution;
-    const auto          statuses       = model.interface->active_set.statuses();
-    const double        largest =
-      first.linfty_norm() / std::numeric_limits<double>::epsilon();
-    step.continues = true;
-    for (unsigned int iteration = 0; searches; ++iteration)
-      {
-        if (!change_statuses(little * step.residual))
-          break;
-        n += system->make_step(step, rhs, state);
-        const bool is_solution = state.solution.linfty_norm() <= largest;
-        searches               = iteration + 1 < max_iterations && is_solution;
-        if (!is_solution)
-          {
-            state.solution = first;
-            model.interface->active_set.set_statuses(statuses);
-          }
-      }
-    return n;
-  }
-
-
-
-  // Bodies that springs hold go further in the linear problem than they may.
-  template<int dim>
-  bool NewtonState<dim>::searches_in_step() const
-  {
-    return dim == 3 && model.interface && !model.interface->is_tied() &&
-           model.elasticity->springs.held().empty();
-  }
-
-
-
-  // The forces of the bodies have become those of contact under the old
-  // statuses, which stay where nothing is to be solved again.
-  template<int dim>
-  bool NewtonState<dim>::change_statuses(const double tolerance)
-  {
-    system->recover_multipliers(rhs, 1, state);
-    const auto update_statuses = [&](const bool keep) {
-      return model.interface->active_set.update(state.solution,
-                                                state.start,
-                                                keep);
-    };
-    if (update_statuses(/*keep=*/false) == 0)
-      return false;
-    const auto statuses = model.interface->active_set.statuses();
-    rhs                 = 0;
-    add_contact();
-    rhs.sadd(-1, 0, rhs);
-    update_statuses(/*keep=*/true);
-    add_contact();
-    if (convergence.norm_of(rhs) <= tolerance * convergence.force_scale())
-      {
-        model.interface->active_set.set_statuses(statuses);
-        return false;
-      }
-    ++model.discretization->counters.active_set_changes;
-    return true;
   }
 
 

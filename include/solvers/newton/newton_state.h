@@ -10,6 +10,7 @@
 #include "solvers/newton/linear_system.h"
 #include "solvers/newton/newton_globalization.h"
 #include "solvers/newton/pairing.h"
+#include "solvers/newton/status_search.h"
 
 namespace Contact
 {
@@ -97,7 +98,6 @@ namespace Contact
     void             evaluate_with(const bool single_changes);
     unsigned int     update_status(const bool single_changes);
     VolumeRatio<dim> evaluate_bodies();
-    void             add_contact();
 
     /// Pair the open points that have kept an earlier pairing. Returns whether
     /// one of them is to close.
@@ -109,25 +109,12 @@ namespace Contact
     void   remember_status();
     double part_until_touch() const;
 
-    /// Whether steps search for the statuses of their linear problem, as
-    /// ActiveSetSearch does with multipliers.
-    bool searches_in_step() const;
-
-    /// Solve the linear problem of @p step again under the statuses that its
-    /// solution has, until they settle. Returns the number of linear
-    /// iterations. Collective.
-    unsigned int search_statuses(typename LinearSystem<dim>::Step step);
-
-    /// Give the points the statuses that they have in the solution of the
-    /// linear problem, unless that is one to @p tolerance under these, too
-    /// [-]. Returns whether one is another.
-    bool change_statuses(const double tolerance);
-
     const ContactModel<dim>                  &model;
     const std::unique_ptr<LinearSystem<dim>> &system;
     IncrementState<dim>                      &state;
     Pairing<dim>                             &pairing;
     TimerOutput                              &timer;
+    StatusSearch<dim>                         statuses;
 
     GhostedVector    rhs; // minus the residual
     VolumeRatio<dim> smallest_volume;
@@ -136,7 +123,6 @@ namespace Contact
     NewtonGlobalization           guard;
     unsigned int                  n_steps       = 0;
     bool                          one_at_a_time = false;
-    bool                          searches      = false;
     double                        part          = 0; // of the last step
     GhostedVector                 last;          // where the last step began
     std::vector<PointStatus<dim>> last_statuses; // under which it was made

@@ -165,6 +165,20 @@ namespace Contact
 
 
   template<int dim>
+  void Pairing<dim>::add_contact(const IncrementState<dim> &state,
+                                 GhostedVector             &rhs) const
+  {
+    if (!model.interface)
+      return;
+    rhs.zero_out_ghosts();
+    ContactKernel<dim>(*model.interface)
+      .assemble(state.solution, state.start, linearization(), rhs, nullptr);
+    rhs.compress_add();
+  }
+
+
+
+  template<int dim>
   void Pairing<dim>::begin_newton()
   {
     guard      = PairingCycleControl(parameters.solution.geometry_tolerance);

@@ -39,6 +39,10 @@ namespace Contact
     /// A new mesh, whose linear system is @p system.
     void begin_level(LinearSystem<dim> &system);
 
+    /// Add the forces of contact in a state to those that all ranks have.
+    void add_contact(const IncrementState<dim> &state,
+                     GhostedVector             &rhs) const;
+
     /// The terms that the kernel linearises at present.
     const ContactLinearization &linearization() const
     {

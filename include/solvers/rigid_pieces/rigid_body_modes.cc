@@ -319,18 +319,15 @@ namespace Contact
                      "give it a surface that can touch another body");
   }
 
-  template std::vector<RigidBodyMode>
-  rigid_body_modes(const Discretization<2>   &discretization,
-                   const ContactInterface<2> *interface,
-                   const Tangents             tangents,
-                   const Rotations<2>        &rotations);
-  template std::vector<RigidBodyMode>
-                rigid_body_modes(const Discretization<3>   &discretization,
-                                 const ContactInterface<3> *interface,
-                                 const Tangents             tangents,
-                                 const Rotations<3>        &rotations);
-  template void check_supports(const Discretization<2>   &discretization,
-                               const ContactInterface<2> *interface);
-  template void check_supports(const Discretization<3>   &discretization,
-                               const ContactInterface<3> *interface);
+#define INSTANTIATE(dim)                                                    \
+  template std::vector<RigidBodyMode> rigid_body_modes(                     \
+    const Discretization<dim>   &discretization,                            \
+    const ContactInterface<dim> *interface,                                 \
+    const Tangents               tangents,                                  \
+    const Rotations<dim>        &rotations);                                       \
+  template void check_supports(const Discretization<dim>   &discretization, \
+                               const ContactInterface<dim> *interface);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Contact

@@ -374,34 +374,23 @@ namespace Contact
       }
   }
 
-  template std::vector<std::vector<double>>
-                               rigid_modes(const Discretization<2> &);
-  template std::vector<double> rigid_rotations(const Discretization<2> &,
-                                               const GhostedVector &);
-  template std::vector<SpinningPiece>
-                turning_pieces(const Discretization<2> &,
-                               const Elasticity<2> &,
-                               const ContactInterface<2> &);
-  template void remove_rotations(const Discretization<2> &,
-                                 const std::vector<SpinningPiece> &,
-                                 GhostedVector &);
-  template void check_rotations(const Discretization<2> &,
-                                const Elasticity<2> &,
-                                const ContactInterface<2> *,
+#define INSTANTIATE(dim)                                                    \
+  template std::vector<std::vector<double>> rigid_modes(                    \
+    const Discretization<dim> &);                                           \
+  template std::vector<double> rigid_rotations(const Discretization<dim> &, \
+                                               const GhostedVector &);      \
+  template std::vector<SpinningPiece> turning_pieces(                       \
+    const Discretization<dim> &,                                            \
+    const Elasticity<dim> &,                                                \
+    const ContactInterface<dim> &);                                         \
+  template void remove_rotations(const Discretization<dim> &,               \
+                                 const std::vector<SpinningPiece> &,        \
+                                 GhostedVector &);                          \
+  template void check_rotations(const Discretization<dim> &,                \
+                                const Elasticity<dim> &,                    \
+                                const ContactInterface<dim> *,              \
                                 const GhostedVector &);
-  template std::vector<std::vector<double>>
-                               rigid_modes(const Discretization<3> &);
-  template std::vector<double> rigid_rotations(const Discretization<3> &,
-                                               const GhostedVector &);
-  template std::vector<SpinningPiece>
-                turning_pieces(const Discretization<3> &,
-                               const Elasticity<3> &,
-                               const ContactInterface<3> &);
-  template void remove_rotations(const Discretization<3> &,
-                                 const std::vector<SpinningPiece> &,
-                                 GhostedVector &);
-  template void check_rotations(const Discretization<3> &,
-                                const Elasticity<3> &,
-                                const ContactInterface<3> *,
-                                const GhostedVector &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Contact
