@@ -233,7 +233,7 @@ namespace Contact
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
         const auto on_axis = [&](const unsigned int v) {
-          return is_on_axis(cell->vertex(v));
+          return this->is_on_axis(cell->vertex(v));
         };
         const auto vertices = cell->vertex_indices();
         if (cell->is_artificial() ||
@@ -245,7 +245,7 @@ namespace Contact
         cell->get_dof_indices(dofs);
         for (unsigned int i = 0; i < dofs.size(); ++i)
           if (fe.system_to_component_index(i).first == 0 &&
-              is_on_axis(
+              this->is_on_axis(
                 mapping[cell->active_fe_index()]
                   .transform_unit_to_real_cell(cell, fe.unit_support_point(i))))
             if (const Prescribed<dim> none;
@@ -470,10 +470,7 @@ namespace Contact
   Discretization<dim>::free_part(const NodeDoFs<dim>  &node,
                                  const Tensor<1, dim> &vector) const
   {
-    Tensor<1, dim> free = vector;
-    for (unsigned int c = 0; c < dim; ++c)
-      if (is_fixed(node[c]))
-        free[c] = 0;
+    Tensor<1, dim> free = DiscretizedBodies<dim>::free_part(node, vector);
     normal_supports.make_free(node, free);
     return free;
   }
@@ -486,12 +483,8 @@ namespace Contact
                                       const NodeDoFs<dim>  &b,
                                       const Tensor<1, dim> &direction) const
   {
-    const double round_off = 1e-8;
-    bool         are_fixed = true;
-    for (unsigned int c = 0; c < dim && are_fixed; ++c)
-      are_fixed =
-        !(std::abs(direction[c]) > round_off && !are_fixed_alike(a[c], b[c]));
-    return are_fixed || normal_supports.hold_alike(a, b, direction);
+    return DiscretizedBodies<dim>::are_held_alike(a, b, direction) ||
+           normal_supports.hold_alike(a, b, direction);
   }
 
 

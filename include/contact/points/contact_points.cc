@@ -185,10 +185,10 @@ namespace Contact
 
 
   template<int dim>
-  bool is_free_along(const ContactPoint<dim>   &point,
-                     const unsigned int         n_nodes,
-                     const Tensor<1, dim>      &normal,
-                     const Discretization<dim> &discretization)
+  bool is_free_along(const ContactPoint<dim>      &point,
+                     const unsigned int            n_nodes,
+                     const Tensor<1, dim>         &normal,
+                     const DiscretizedBodies<dim> &discretization)
   {
     const double round_off = 1e-8;
     double       free = 0, all = 0;
@@ -208,9 +208,9 @@ namespace Contact
 
 
   template<int dim>
-  void skip_where_held(ContactPoint<dim>         &point,
-                       const Discretization<dim> &discretization,
-                       const GhostedVector       &u)
+  void skip_where_held(ContactPoint<dim>            &point,
+                       const DiscretizedBodies<dim> &discretization,
+                       const GhostedVector          &u)
   {
     if (is_free_along(point, point.n_nodes, point.normal, discretization))
       return;
@@ -282,11 +282,11 @@ namespace Contact
 
 
   template<int dim>
-  void pair_with_master(ContactPoint<dim>          &point,
-                        const NormalCone<dim>      &directions,
-                        const DeformedSurface<dim> &master,
-                        const Discretization<dim>  &discretization,
-                        const GhostedVector        &u)
+  void pair_with_master(ContactPoint<dim>            &point,
+                        const NormalCone<dim>        &directions,
+                        const DeformedSurface<dim>   &master,
+                        const DiscretizedBodies<dim> &discretization,
+                        const GhostedVector          &u)
   {
     const Projection<dim> projection =
       master.closest_facing(slave_position(point, u), directions);
@@ -309,10 +309,10 @@ namespace Contact
   // a circle is centre + radius n, and its second derivative by the coordinate
   // that is the angle -radius n.
   template<int dim>
-  void pair_with_obstacle(ContactPoint<dim>         &point,
-                          const Obstacle<dim>       &obstacle,
-                          const Discretization<dim> &discretization,
-                          const GhostedVector       &u)
+  void pair_with_obstacle(ContactPoint<dim>            &point,
+                          const Obstacle<dim>          &obstacle,
+                          const DiscretizedBodies<dim> &discretization,
+                          const GhostedVector          &u)
   {
     const auto projection = obstacle.closest_point(slave_position(point, u));
     point.facing          = is_free_along(point,
@@ -338,9 +338,9 @@ namespace Contact
   template bool          is_free_along(const ContactPoint<2> &,
                                        const unsigned int,
                                        const Tensor<1, 2> &,
-                                       const Discretization<2> &);
+                                       const DiscretizedBodies<2> &);
   template void          skip_where_held(ContactPoint<2> &,
-                                         const Discretization<2> &,
+                                         const DiscretizedBodies<2> &,
                                          const GhostedVector &);
   template Point<2>      slave_position(const ContactPoint<2> &,
                                         const GhostedVector &);
@@ -349,11 +349,11 @@ namespace Contact
   template void          pair_with_master(ContactPoint<2> &,
                                           const NormalCone<2> &,
                                           const DeformedSurface<2> &,
-                                          const Discretization<2> &,
+                                          const DiscretizedBodies<2> &,
                                           const GhostedVector &);
   template void          pair_with_obstacle(ContactPoint<2> &,
                                             const Obstacle<2> &,
-                                            const Discretization<2> &,
+                                            const DiscretizedBodies<2> &,
                                             const GhostedVector &);
   template std::vector<ContactPoint<3>>
                          make_nodal_points(const Surface<3> &,
@@ -362,9 +362,9 @@ namespace Contact
   template bool          is_free_along(const ContactPoint<3> &,
                                        const unsigned int,
                                        const Tensor<1, 3> &,
-                                       const Discretization<3> &);
+                                       const DiscretizedBodies<3> &);
   template void          skip_where_held(ContactPoint<3> &,
-                                         const Discretization<3> &,
+                                         const DiscretizedBodies<3> &,
                                          const GhostedVector &);
   template Point<3>      slave_position(const ContactPoint<3> &,
                                         const GhostedVector &);
@@ -373,10 +373,10 @@ namespace Contact
   template void          pair_with_master(ContactPoint<3> &,
                                           const NormalCone<3> &,
                                           const DeformedSurface<3> &,
-                                          const Discretization<3> &,
+                                          const DiscretizedBodies<3> &,
                                           const GhostedVector &);
   template void          pair_with_obstacle(ContactPoint<3> &,
                                             const Obstacle<3> &,
-                                            const Discretization<3> &,
+                                            const DiscretizedBodies<3> &,
                                             const GhostedVector &);
 } // namespace Contact
