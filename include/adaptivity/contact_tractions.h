@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "contact/interface/contact_interface.h"
+#include "solid/discretization.h"
 
 namespace Contact
 {

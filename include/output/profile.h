@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contact/interface/contact_interface.h"
+#include "solid/discretization.h"
 
 namespace Contact
 {

@@ -58,12 +58,13 @@ namespace Contact
 
 
     template<int dim>
-    void add_notes_on_roundness(const Parameters::All       &parameters,
-                                const ContactInterface<dim> &interface,
-                                const GhostedVector         &solution,
-                                Findings                    &findings)
+    void add_notes_on_roundness(const Parameters::All   &parameters,
+                                const ContactModel<dim> &model,
+                                const GhostedVector     &solution,
+                                Findings                &findings)
     {
-      const auto fits = fit_rigid_motions(interface.discretization, solution);
+      const ContactInterface<dim> &interface = *model.interface;
+      const auto fits    = fit_rigid_motions(*model.discretization, solution);
       const auto entries = parameters.pairs();
       for (unsigned int z = 0; z < entries.size(); ++z)
         {
@@ -308,7 +309,7 @@ namespace Contact
     add_note_on_solver(parameters, model, findings);
     if (!model.interface)
       return findings;
-    add_notes_on_roundness(parameters, *model.interface, solution, findings);
+    add_notes_on_roundness(parameters, model, solution, findings);
     add_notes_on_held_nodes(parameters, *model.interface, solution, findings);
     const double round_off = round_off_force(model, solution, summary);
     add_note_on_idleness(summary,

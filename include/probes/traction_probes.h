@@ -9,6 +9,7 @@
 #include <string>
 
 #include "contact/interface/contact_interface.h"
+#include "solid/discretization.h"
 #include "solid/place.h"
 
 namespace Contact

@@ -61,20 +61,22 @@ namespace Contact
   Discretization<dim>::Discretization(const Mesh<dim>       &mesh,
                                       const Parameters::All &parameters,
                                       const MPI_Comm         communicator)
-    : mesh(mesh)
-    , communicator(communicator)
-    , degree(parameters.element.degree)
+    : DiscretizedBodies<dim>(own_dof_handler,
+                             own_constraints,
+                             make_mapping<dim>(parameters.element.degree),
+                             parameters.element.degree,
+                             parameters.solids.symmetry ==
+                               Parameters::Symmetry::axisymmetric,
+                             communicator)
+    , mesh(mesh)
     , serendipity(degree == 2 && parameters.element.centre_node ==
                                    Parameters::CentreNode::serendipity)
-    , axisymmetric(parameters.solids.symmetry ==
-                   Parameters::Symmetry::axisymmetric)
     , free_centres(faces_with_free_centres(mesh, parameters))
-    , mapping(make_mapping<dim>(degree))
     , fe(make_fe<dim>(degree))
     , quadrature(make_quadrature<dim>(degree))
-    , dof_handler(mesh.triangulation)
     , boundary(parameters.boundary)
     , normal_supports(mesh, parameters.boundary.displacement_normal)
+    , own_dof_handler(mesh.triangulation)
     , small_strain(bodies_of_small_strain(mesh, parameters.solids))
   {
     if (const std::string entry = boundary.entry_in_space();
@@ -132,13 +134,13 @@ namespace Contact
   template<int dim>
   void Discretization<dim>::redistribute()
   {
-    distribute_dofs(mesh, fe, dof_handler);
+    distribute_dofs(mesh, fe, own_dof_handler);
 
     prescribed.clear();
     ties.clear();
     leaders.clear();
     updates_vanish = true;
-    collect_vertex_dofs();
+    this->collect_vertex_dofs();
     gather_named_points();
     find_places();
     normal_supports.find_nodes(dof_handler);
@@ -213,22 +215,6 @@ namespace Contact
     std::copy_n(solution.begin(), u.locally_owned_size(), u.begin());
     u.update_ghost_values();
     return u;
-  }
-
-
-
-  template<int dim>
-  void Discretization<dim>::collect_vertex_dofs()
-  {
-    NodeDoFs<dim> none;
-    none.fill(numbers::invalid_dof_index);
-    vertex_dofs.assign(mesh.triangulation.n_vertices(), none);
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (!cell->is_artificial())
-        for (const unsigned int v : cell->vertex_indices())
-          for (unsigned int c = 0; c < dim; ++c)
-            vertex_dofs[cell->vertex_index(v)][c] =
-              cell->vertex_dof_index(v, c, cell->active_fe_index());
   }
 
 
@@ -315,41 +301,41 @@ namespace Contact
   void Discretization<dim>::make_constraints(
     const std::map<types::global_dof_index, double> &updates)
   {
-    constraints.clear();
+    own_constraints.clear();
     if (mesh.triangulation.has_hanging_nodes())
-      DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+      DoFTools::make_hanging_node_constraints(dof_handler, own_constraints);
     const auto move = [&](const types::global_dof_index dof) {
       const auto update = updates.find(dof);
       if (update != updates.end())
-        constraints.set_inhomogeneity(dof, update->second);
+        own_constraints.set_inhomogeneity(dof, update->second);
     };
     for (const auto &[dof, displacement] : prescribed)
-      if (!constraints.is_constrained(dof))
+      if (!own_constraints.is_constrained(dof))
         {
-          constraints.add_line(dof);
+          own_constraints.add_line(dof);
           move(dof);
         }
     for (const auto &line : normal_supports.lines())
-      if (!constraints.is_constrained(line.pivot))
+      if (!own_constraints.is_constrained(line.pivot))
         {
-          constraints.add_line(line.pivot);
-          constraints.add_entries(line.pivot, line.entries);
+          own_constraints.add_line(line.pivot);
+          own_constraints.add_entries(line.pivot, line.entries);
           move(line.pivot);
         }
     for (const auto &[dof, partner] : ties)
       {
-        constraints.add_line(dof);
-        constraints.add_entry(dof, partner, 1.);
+        own_constraints.add_line(dof);
+        own_constraints.add_entry(dof, partner, 1.);
       }
     for (const auto &line : followers_of_rigid)
       {
-        constraints.add_line(line.dof);
-        constraints.add_entries(line.dof, line.entries);
-        constraints.set_inhomogeneity(line.dof, line.inhomogeneity);
+        own_constraints.add_line(line.dof);
+        own_constraints.add_entries(line.dof, line.entries);
+        own_constraints.set_inhomogeneity(line.dof, line.inhomogeneity);
       }
     if (serendipity)
-      bind_centres(*this, constraints);
-    constraints.close();
+      bind_centres(*this, own_constraints);
+    own_constraints.close();
   }
 
 

@@ -18,6 +18,7 @@
 #include "base/ghosted_vector.h"
 #include "mesh/mesh.h"
 #include "parameters/parameters.h"
+#include "solid/discretized_bodies.h"
 #include "solid/element_spaces.h"
 #include "solid/normal_supports.h"
 #include "solid/place.h"
@@ -49,52 +50,35 @@ namespace Contact
    * contact faces and at named places.
    */
   template<int dim>
-  class Discretization
+  class Discretization : public DiscretizedBodies<dim>
   {
   public:
     Discretization(const Mesh<dim>       &mesh,
                    const Parameters::All &parameters,
                    const MPI_Comm         communicator = MPI_COMM_SELF);
 
-    /// The volume of the body by the area of the plane, at a place X: 1 in
-    /// plane strain and in 3-D, the circumference 2 pi x of its ring with
-    /// axisymmetry [mm].
-    double circumference(const Point<dim> &X) const
-    {
-      return circumference_at(X[0]);
-    }
-
-    /// The same by the distance from the axis.
-    template<typename Number>
-    Number circumference_at(const Number &x) const
-    {
-      return axisymmetric ? Number(2 * numbers::PI * x) : Number(1);
-    }
-
-    /// Whether a place is on the axis of symmetry.
-    bool is_on_axis(const Point<dim> &X) const
-    {
-      return axisymmetric && X[0] <= axis_tolerance;
-    }
+    using DiscretizedBodies<dim>::communicator;
+    using DiscretizedBodies<dim>::degree;
+    using DiscretizedBodies<dim>::axisymmetric;
+    using DiscretizedBodies<dim>::mapping;
+    using DiscretizedBodies<dim>::dof_handler;
+    using DiscretizedBodies<dim>::constraints;
+    using DiscretizedBodies<dim>::distribution;
+    using DiscretizedBodies<dim>::vertex_dofs;
+    using DiscretizedBodies<dim>::counters;
 
     /// Number the unknowns anew after the mesh was refined.
     void redistribute();
 
-    const Mesh<dim>   &mesh;
-    const MPI_Comm     communicator;
-    const unsigned int degree;
-    const bool         serendipity;
-    const bool         axisymmetric;
+    const Mesh<dim> &mesh;
+    const bool       serendipity;
 
     /// The faces that may touch or are rigid, whose centres serendipity does
     /// not bind.
     const std::set<types::boundary_id> free_centres;
 
-    const hp::MappingCollection<dim> mapping;
-    const hp::FECollection<dim>      fe;
-    const hp::QCollection<dim>       quadrature;
-    DoFHandler<dim>                  dof_handler;
-    Distribution                     distribution;
+    const hp::FECollection<dim> fe;
+    const hp::QCollection<dim>  quadrature;
 
     /// Behind the unit N of a force: it is one by thickness, or of a whole
     /// ring, or in 3-D.
@@ -110,10 +94,6 @@ namespace Contact
     /// by its history.
     double factor(const std::string &entry, const double load_factor) const;
 
-    /// Supports, ties, serendipity constraints and hanging nodes, for the next
-    /// Newton update.
-    AffineConstraints<double> constraints;
-
     /// Those of flat boundaries along their normal.
     NormalSupports<dim> normal_supports;
 
@@ -121,10 +101,6 @@ namespace Contact
     /// that this rank knows.
     std::array<std::map<std::string, std::set<types::global_dof_index>>, dim>
       supports;
-
-    /// The unknowns of each vertex of the triangulation; invalid where no cell
-    /// of this rank or its neighbors has it.
-    std::vector<NodeDoFs<dim>> vertex_dofs;
 
     /// A point by its name, at a node or between nodes. Throws InputError with
     /// the @p entry that names it if there is none.
@@ -207,7 +183,7 @@ namespace Contact
     targets(const RigidBoundary<dim> &boundary, const double load_factor) const;
 
     /// Whether an unknown is of one of them.
-    bool is_rigid(const types::global_dof_index dof) const
+    bool is_rigid(const types::global_dof_index dof) const override
     {
       return rigid_dofs.count(dof) > 0;
     }
@@ -224,9 +200,6 @@ namespace Contact
       return largest_displacement;
     }
 
-    /// The costly operations on these spaces. Counting changes nothing.
-    mutable Counters counters;
-
     /// The largest distance of a supported unknown of @p u from its prescribed
     /// value under @p load_factor [mm].
     double distance_from_supports(const GhostedVector &u,
@@ -238,12 +211,30 @@ namespace Contact
       return !updates_vanish;
     }
 
-    /// Whether a support fixes this unknown.
-    bool is_fixed(const types::global_dof_index dof) const;
+    const std::set<types::boundary_id> &
+    boundary_ids(const std::string &name,
+                 const std::string &entry) const override
+    {
+      return mesh.boundary(name, entry);
+    }
+    const NodeDoFs<dim> &point_dofs(const std::string &name,
+                                    const std::string &entry) const override
+    {
+      return vertex_dofs[mesh.point(name, entry)];
+    }
+    std::string body_name(const types::material_id id) const override
+    {
+      return mesh.body_name(id);
+    }
+    unsigned int
+    piece(const typename Triangulation<dim>::cell_iterator &cell) const override
+    {
+      return mesh.pieces.of_cell(cell);
+    }
 
-    /// Whether supports move two unknowns by the same displacement, or none.
+    bool is_fixed(const types::global_dof_index dof) const override;
     bool are_fixed_alike(const types::global_dof_index a,
-                         const types::global_dof_index b) const
+                         const types::global_dof_index b) const override
     {
       return is_fixed(a) && is_fixed(b) &&
              !(prescribed.at(a) != prescribed.at(b));
@@ -252,25 +243,19 @@ namespace Contact
     /// Whether a support moves this unknown as the load grows.
     bool is_moved(const types::global_dof_index dof) const;
 
-    /// The part of a vector at a node that supports leave free.
+    std::vector<Tensor<1, dim>>
+    held_normals(const NodeDoFs<dim> &node) const override
+    {
+      return normal_supports.normals(node);
+    }
     Tensor<1, dim> free_part(const NodeDoFs<dim>  &node,
-                             const Tensor<1, dim> &vector) const;
-
-    /// Whether supports move two nodes along @p direction by the same
-    /// displacement, or none.
-    bool are_held_alike(const NodeDoFs<dim>  &a,
-                        const NodeDoFs<dim>  &b,
-                        const Tensor<1, dim> &direction) const;
+                             const Tensor<1, dim> &vector) const override;
+    bool           are_held_alike(const NodeDoFs<dim>  &a,
+                                  const NodeDoFs<dim>  &b,
+                                  const Tensor<1, dim> &direction) const override;
 
     /// Whether this unknown is tied to another one, or another one to it.
     bool is_tied(const types::global_dof_index dof) const;
-
-    /// The unknowns that are tied, each with the one that it follows.
-    const std::map<types::global_dof_index, types::global_dof_index> &
-    tied() const
-    {
-      return ties;
-    }
 
   private:
     SupportMotion<dim> motion_of_supports(const double load_factor) const;
@@ -286,7 +271,6 @@ namespace Contact
 
     void check_radii();
     void hold_axis();
-    void collect_vertex_dofs();
     void distribute_vectors();
     void gather_named_points();
     void find_places();
@@ -318,22 +302,25 @@ namespace Contact
 
     using History = std::function<double(const Point<1> &)>;
 
-    std::map<std::string, Place<dim>>                          places;
-    std::map<std::string, History>                             histories;
-    std::vector<typename SupportMotion<dim>::Formula>          formulas;
-    std::map<types::global_dof_index, Prescribed<dim>>         prescribed;
-    std::map<types::global_dof_index, types::global_dof_index> ties;
-    std::set<types::global_dof_index>                          leaders;
-    const std::set<types::material_id>                         small_strain;
-    std::vector<RigidBoundary<dim>>                            rigid;
-    std::set<types::global_dof_index>                          rigid_dofs;
+    using DiscretizedBodies<dim>::axis_tolerance;
+    using DiscretizedBodies<dim>::ties;
+
+    DoFHandler<dim>                                    own_dof_handler;
+    AffineConstraints<double>                          own_constraints;
+    std::map<std::string, Place<dim>>                  places;
+    std::map<std::string, History>                     histories;
+    std::vector<typename SupportMotion<dim>::Formula>  formulas;
+    std::map<types::global_dof_index, Prescribed<dim>> prescribed;
+    std::set<types::global_dof_index>                  leaders;
+    const std::set<types::material_id>                 small_strain;
+    std::vector<RigidBoundary<dim>>                    rigid;
+    std::set<types::global_dof_index>                  rigid_dofs;
     std::set<types::global_dof_index> rigid_held; // by supports, too
     std::vector<typename RigidBoundary<dim>::Line>       followers_of_rigid;
     unsigned int                                         n_patterns = 0;
     std::array<std::map<std::string, unsigned int>, dim> formula_of_rigid;
-    double axis_tolerance       = 0; // round-off of the radii [mm]
-    bool   updates_vanish       = true;
-    double largest_displacement = 0;
+    bool                                                 updates_vanish = true;
+    double largest_displacement                                         = 0;
   };
 } // namespace Contact
 

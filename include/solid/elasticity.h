@@ -86,7 +86,7 @@ namespace Contact
    * quadrangles where nu is close to 1/2.
    */
   template<int dim>
-  class Elasticity
+  class Elasticity : public BodyStiffness
   {
   public:
     Elasticity(const Discretization<dim> &discretization,
@@ -314,7 +314,7 @@ namespace Contact
     }
 
     /// Young's modulus [MPa] of a body.
-    double youngs_modulus(const types::material_id body) const
+    double youngs_modulus(const types::material_id body) const override
     {
       return material(body).youngs_modulus;
     }

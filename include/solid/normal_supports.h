@@ -19,14 +19,11 @@
 
 #include "base/ghosted_vector.h"
 #include "mesh/mesh.h"
+#include "solid/discretized_bodies.h"
 
 namespace Contact
 {
   using namespace dealii;
-
-  /// The displacement unknowns of a node.
-  template<int dim>
-  using NodeDoFs = std::array<types::global_dof_index, dim>;
 
   /// One number for each entry of displacements: in x, y, z, and normal. Of
   /// factors by their histories, and of displacements at full value [mm].

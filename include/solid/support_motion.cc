@@ -185,10 +185,7 @@ namespace Contact
   Discretization<dim>::free_part(const NodeDoFs<dim>  &node,
                                  const Tensor<1, dim> &vector) const
   {
-    Tensor<1, dim> free = vector;
-    for (unsigned int c = 0; c < dim; ++c)
-      if (is_fixed(node[c]))
-        free[c] = 0;
+    Tensor<1, dim> free = DiscretizedBodies<dim>::free_part(node, vector);
     normal_supports.make_free(node, free);
     return free;
   }
@@ -201,12 +198,8 @@ namespace Contact
                                       const NodeDoFs<dim>  &b,
                                       const Tensor<1, dim> &direction) const
   {
-    const double round_off = 1e-8;
-    bool         are_fixed = true;
-    for (unsigned int c = 0; c < dim && are_fixed; ++c)
-      are_fixed =
-        !(std::abs(direction[c]) > round_off && !are_fixed_alike(a[c], b[c]));
-    return are_fixed || normal_supports.hold_alike(a, b, direction);
+    return DiscretizedBodies<dim>::are_held_alike(a, b, direction) ||
+           normal_supports.hold_alike(a, b, direction);
   }
 
 

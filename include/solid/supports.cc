@@ -232,7 +232,7 @@ namespace Contact
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
         const auto on_axis = [&](const unsigned int v) {
-          return is_on_axis(cell->vertex(v));
+          return this->is_on_axis(cell->vertex(v));
         };
         const auto vertices = cell->vertex_indices();
         if (cell->is_artificial() ||
@@ -244,7 +244,7 @@ namespace Contact
         cell->get_dof_indices(dofs);
         for (unsigned int i = 0; i < dofs.size(); ++i)
           if (fe.system_to_component_index(i).first == 0 &&
-              is_on_axis(
+              this->is_on_axis(
                 mapping[cell->active_fe_index()]
                   .transform_unit_to_real_cell(cell, fe.unit_support_point(i))))
             if (const Prescribed<dim> none;

@@ -9,6 +9,7 @@
 #include "base/findings.h"
 #include "base/string_utilities.h"
 #include "contact/interface/contact_interface.h"
+#include "solid/discretization.h"
 
 namespace Contact
 {

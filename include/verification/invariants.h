@@ -13,6 +13,7 @@
 #include <string>
 
 #include "contact/interface/obstacle_forces.h"
+#include "solid/elasticity.h"
 #include "verification/contact_check.h"
 
 namespace Contact

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "contact/surfaces/surface.h"
+#include "solid/discretization.h"
 
 namespace Contact
 {

@@ -59,8 +59,8 @@ namespace Contact
 
   template<int dim>
   ContactInterface<dim>::ContactInterface(
-    const Discretization<dim>              &discretization,
-    const Elasticity<dim>                  &elasticity,
+    const DiscretizedBodies<dim>           &discretization,
+    const BodyStiffness                    &elasticity,
     const std::vector<Parameters::Contact> &parameters)
     : discretization(discretization)
     , motions(*this)

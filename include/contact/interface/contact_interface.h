@@ -43,13 +43,13 @@ namespace Contact
   class ContactInterface
   {
   public:
-    ContactInterface(const Discretization<dim>              &discretization,
-                     const Elasticity<dim>                  &elasticity,
+    ContactInterface(const DiscretizedBodies<dim>           &discretization,
+                     const BodyStiffness                    &elasticity,
                      const std::vector<Parameters::Contact> &parameters);
 
     ContactInterface(const ContactInterface &) = delete;
 
-    const Discretization<dim>                           &discretization;
+    const DiscretizedBodies<dim>                        &discretization;
     std::vector<std::unique_ptr<const ContactPair<dim>>> pairs;
 
     ObstacleMotions<dim> motions;

@@ -21,13 +21,13 @@ namespace Contact
   namespace
   {
     template<int dim>
-    Surface<dim> make_surface(const Discretization<dim> &discretization,
-                              const std::string         &name,
-                              const std::string         &entry,
-                              const SurfaceCut           cut)
+    Surface<dim> make_surface(const DiscretizedBodies<dim> &discretization,
+                              const std::string            &name,
+                              const std::string            &entry,
+                              const SurfaceCut              cut)
     {
       return {discretization,
-              discretization.mesh.boundary(name, entry),
+              discretization.boundary_ids(name, entry),
               name,
               cut};
     }
@@ -36,8 +36,8 @@ namespace Contact
 
     template<int dim>
     std::optional<Surface<dim>>
-    make_master(const Discretization<dim> &discretization,
-                const Parameters::Contact &parameters)
+    make_master(const DiscretizedBodies<dim> &discretization,
+                const Parameters::Contact    &parameters)
     {
       if (parameters.master.empty())
         return {};
@@ -88,9 +88,9 @@ namespace Contact
     // to agree: a pressure that grows without bound as the edges get shorter.
     template<int dim>
     std::set<unsigned int>
-    nodes_held_with_master(const Surface<dim>        &slave,
-                           const Surface<dim>        &master,
-                           const Discretization<dim> &discretization)
+    nodes_held_with_master(const Surface<dim>           &slave,
+                           const Surface<dim>           &master,
+                           const DiscretizedBodies<dim> &discretization)
     {
       std::set<unsigned int>     held;
       const DeformedSurface<dim> drawn(slave, {});
@@ -108,7 +108,7 @@ namespace Contact
               return r.norm() < h && r * normal > -1e-8 * h &&
                      (r - (r * normal) * normal).norm() < 1e-3 * h;
             };
-            if ((discretization.normal_supports.hold(node.dofs) ||
+            if ((!discretization.held_normals(node.dofs).empty() ||
                  std::any_of(node.dofs.begin(),
                              node.dofs.end(),
                              [&](const auto dof) {
@@ -145,9 +145,9 @@ namespace Contact
 
 
   template<int dim>
-  ContactPair<dim>::ContactPair(const Discretization<dim> &discretization,
-                                const Elasticity<dim>     &elasticity,
-                                const Parameters::Contact &parameters)
+  ContactPair<dim>::ContactPair(const DiscretizedBodies<dim> &discretization,
+                                const BodyStiffness          &elasticity,
+                                const Parameters::Contact    &parameters)
     : discretization(discretization)
     , name(parameters.name)
     , tied(parameters.tied)
@@ -174,8 +174,7 @@ namespace Contact
     for (const std::string &point : parameters.excluded_points)
       {
         const auto &dofs =
-          discretization.vertex_dofs
-            [discretization.mesh.point(point, section + "/Excluded points")];
+          discretization.point_dofs(point, section + "/Excluded points");
         bool is_on_slave = false;
         for (unsigned int i = 0; i < slave.nodes.size(); ++i)
           if (slave.nodes[i].dofs == dofs)

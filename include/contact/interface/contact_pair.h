@@ -15,7 +15,6 @@
 #include "contact/obstacles/obstacle.h"
 #include "contact/points/contact_points.h"
 #include "contact/surfaces/body_overlap.h"
-#include "solid/elasticity.h"
 
 namespace Contact
 {
@@ -47,12 +46,12 @@ namespace Contact
   {
   public:
     /// Throws InputError if the surfaces do not exist or have a common node.
-    ContactPair(const Discretization<dim> &discretization,
-                const Elasticity<dim>     &elasticity,
-                const Parameters::Contact &parameters);
+    ContactPair(const DiscretizedBodies<dim> &discretization,
+                const BodyStiffness          &elasticity,
+                const Parameters::Contact    &parameters);
     ~ContactPair();
 
-    const Discretization<dim> &discretization;
+    const DiscretizedBodies<dim> &discretization;
 
     /// The section of the parameters is "Contact" or "Contact NAME".
     const std::string name;
@@ -222,7 +221,7 @@ namespace Contact
                       const GhostedVector                &u,
                       const PairingMode                  &mode) const;
 
-    const Elasticity<dim>    &elasticity;
+    const BodyStiffness      &elasticity;
     const Parameters::Contact parameters;
     std::set<unsigned int>    excluded; // nodes of the slave
     std::set<unsigned int>    on_axis;  // without a dual function

@@ -45,7 +45,7 @@ namespace Contact
   MortarDiscretization<3>::MortarDiscretization(
     const Surface<3>             &slave,
     const Surface<3>             &master,
-    const Discretization<3>      &discretization,
+    const DiscretizedBodies<3>   &discretization,
     const std::set<unsigned int> &excluded)
     : slave(slave)
     , master(master)

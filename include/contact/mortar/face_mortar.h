@@ -41,7 +41,7 @@ namespace Contact
   public:
     MortarDiscretization(const Surface<3>             &slave,
                          const Surface<3>             &master,
-                         const Discretization<3>      &discretization,
+                         const DiscretizedBodies<3>   &discretization,
                          const std::set<unsigned int> &excluded);
 
     /// See MortarDiscretization<2>.
@@ -122,7 +122,7 @@ namespace Contact
 
     const Surface<3>            &slave;
     const Surface<3>            &master;
-    const Discretization<3>     &discretization;
+    const DiscretizedBodies<3>  &discretization;
     const std::set<unsigned int> excluded;
 
     const SymmetryPlanes planes;

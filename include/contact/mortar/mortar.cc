@@ -29,7 +29,7 @@ namespace Contact
   MortarDiscretization<2>::MortarDiscretization(
     const Surface<2>             &slave,
     const Surface<2>             &master,
-    const Discretization<2>      &discretization,
+    const DiscretizedBodies<2>   &discretization,
     const std::set<unsigned int> &excluded)
     : slave(slave)
     , master(master)
@@ -176,7 +176,7 @@ namespace Contact
     };
     const auto move_alike = [&](const unsigned int a) {
       for (const Tensor<1, 2> &across :
-           discretization.normal_supports.normals(point.dofs(0)))
+           discretization.held_normals(point.dofs(0)))
         if (discretization.free_part(point.dofs(a), across).norm() < 1e-8 &&
             !discretization.are_held_alike(point.dofs(0),
                                            point.dofs(a),

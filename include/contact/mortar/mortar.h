@@ -75,7 +75,7 @@ namespace Contact
   public:
     MortarDiscretization(const Surface<2>             &slave,
                          const Surface<2>             &master,
-                         const Discretization<2>      &discretization,
+                         const DiscretizedBodies<2>   &discretization,
                          const std::set<unsigned int> &excluded);
 
     /// The points, not paired yet, and their multipliers.
@@ -119,9 +119,9 @@ namespace Contact
 
     unsigned int slave_node(const ContactPoint<2> &point) const;
 
-    const Surface<2>        &slave;
-    const Surface<2>        &master;
-    const Discretization<2> &discretization;
+    const Surface<2>           &slave;
+    const Surface<2>           &master;
+    const DiscretizedBodies<2> &discretization;
 
     /// Whether a node of a slave edge carries a multiplier, as that edge sees
     /// it.

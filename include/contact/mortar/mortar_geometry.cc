@@ -138,10 +138,10 @@ namespace Contact
 
   template<typename Number>
   MortarGeometry<Number>::MortarGeometry(
-    const Surface<2>        &slave,
-    const Surface<2>        &master,
-    const Discretization<2> &discretization,
-    const GhostedVector     &u)
+    const Surface<2>           &slave,
+    const Surface<2>           &master,
+    const DiscretizedBodies<2> &discretization,
+    const GhostedVector        &u)
     : slave(slave)
     , master(master)
     , slave_normals(slave.facets.size())
@@ -183,9 +183,9 @@ namespace Contact
     const std::vector<End> master_ends = ends_of(master);
     for (const auto &[e, a] : ends_of(slave))
       {
-        const unsigned int node = slave.facets[e].nodes[a];
-        const auto        &dofs = slave.nodes[node].dofs;
-        auto directions         = discretization.normal_supports.normals(dofs);
+        const unsigned int node       = slave.facets[e].nodes[a];
+        const auto        &dofs       = slave.nodes[node].dofs;
+        auto               directions = discretization.held_normals(dofs);
         for (const unsigned int c : {0, 1})
           directions.push_back(Point<2>::unit_vector(c));
         for (const Tensor<1, 2> &across : directions)

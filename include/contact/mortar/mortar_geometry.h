@@ -67,10 +67,10 @@ namespace Contact
   {
   public:
     /// In the configuration @p u. The surfaces have to outlive the object.
-    MortarGeometry(const Surface<2>        &slave,
-                   const Surface<2>        &master,
-                   const Discretization<2> &discretization,
-                   const GhostedVector     &u);
+    MortarGeometry(const Surface<2>           &slave,
+                   const Surface<2>           &master,
+                   const DiscretizedBodies<2> &discretization,
+                   const GhostedVector        &u);
 
     /**
      * Take derivatives with respect to the positions of these nodes, and to
@@ -140,7 +140,7 @@ namespace Contact
     edges_around(const Surface<2>             &surface,
                  const std::set<unsigned int> &nodes);
 
-    const Discretization<2> &discretization;
+    const DiscretizedBodies<2> &discretization;
 
     // By the slave edges that end on symmetry lines, and their node there: the
     // direction of the line.

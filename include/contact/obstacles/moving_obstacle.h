@@ -10,7 +10,7 @@
 #include <functional>
 
 #include "contact/obstacles/obstacle.h"
-#include "parameters/parameters.h"
+#include "parameters/parameters_scene.h"
 
 namespace Contact
 {

@@ -185,10 +185,10 @@ namespace Contact
 
 
   template<int dim>
-  bool is_free_along(const ContactPoint<dim>   &point,
-                     const unsigned int         n_nodes,
-                     const Tensor<1, dim>      &normal,
-                     const Discretization<dim> &discretization)
+  bool is_free_along(const ContactPoint<dim>      &point,
+                     const unsigned int            n_nodes,
+                     const Tensor<1, dim>         &normal,
+                     const DiscretizedBodies<dim> &discretization)
   {
     const double round_off = 1e-8;
     double       free = 0, all = 0;
@@ -208,9 +208,9 @@ namespace Contact
 
 
   template<int dim>
-  void skip_where_held(ContactPoint<dim>         &point,
-                       const Discretization<dim> &discretization,
-                       const GhostedVector       &u)
+  void skip_where_held(ContactPoint<dim>            &point,
+                       const DiscretizedBodies<dim> &discretization,
+                       const GhostedVector          &u)
   {
     if (is_free_along(point, point.n_nodes, point.normal, discretization))
       return;
@@ -282,11 +282,11 @@ namespace Contact
 
 
   template<int dim>
-  void pair_with_master(ContactPoint<dim>          &point,
-                        const NormalCone<dim>      &directions,
-                        const DeformedSurface<dim> &master,
-                        const Discretization<dim>  &discretization,
-                        const GhostedVector        &u)
+  void pair_with_master(ContactPoint<dim>            &point,
+                        const NormalCone<dim>        &directions,
+                        const DeformedSurface<dim>   &master,
+                        const DiscretizedBodies<dim> &discretization,
+                        const GhostedVector          &u)
   {
     const Projection<dim> projection =
       master.closest_facing(slave_position(point, u), directions);
@@ -309,10 +309,10 @@ namespace Contact
   // a circle is centre + radius n, and its second derivative by the coordinate
   // that is the angle -radius n.
   template<int dim>
-  void pair_with_obstacle(ContactPoint<dim>         &point,
-                          const Obstacle<dim>       &obstacle,
-                          const Discretization<dim> &discretization,
-                          const GhostedVector       &u)
+  void pair_with_obstacle(ContactPoint<dim>            &point,
+                          const Obstacle<dim>          &obstacle,
+                          const DiscretizedBodies<dim> &discretization,
+                          const GhostedVector          &u)
   {
     const auto projection = obstacle.closest_point(slave_position(point, u));
     point.facing          = is_free_along(point,
@@ -331,30 +331,30 @@ namespace Contact
     point.has_no_free_tangent  = has_no_free_tangent(point, discretization);
   }
 
-#define INSTANTIATE(dim)                                                   \
-  template std::vector<ContactPoint<dim>> make_nodal_points(               \
-    const Surface<dim> &,                                                  \
-    const std::set<unsigned int> &,                                        \
-    MultiplierSpace &);                                                    \
-  template bool            is_free_along(const ContactPoint<dim> &,        \
-                                         const unsigned int,               \
-                                         const Tensor<1, dim> &,           \
-                                         const Discretization<dim> &);     \
-  template void            skip_where_held(ContactPoint<dim> &,            \
-                                           const Discretization<dim> &,    \
-                                           const GhostedVector &);         \
-  template Point<dim>      slave_position(const ContactPoint<dim> &,       \
-                                          const GhostedVector &);          \
-  template NormalCone<dim> directions_of(const ContactPoint<dim> &,        \
-                                         const DeformedSurface<dim> &);    \
-  template void            pair_with_master(ContactPoint<dim> &,           \
-                                            const NormalCone<dim> &,       \
-                                            const DeformedSurface<dim> &,  \
-                                            const Discretization<dim> &,   \
-                                            const GhostedVector &);        \
-  template void            pair_with_obstacle(ContactPoint<dim> &,         \
-                                              const Obstacle<dim> &,       \
-                                              const Discretization<dim> &, \
+#define INSTANTIATE(dim)                                                      \
+  template std::vector<ContactPoint<dim>> make_nodal_points(                  \
+    const Surface<dim> &,                                                     \
+    const std::set<unsigned int> &,                                           \
+    MultiplierSpace &);                                                       \
+  template bool            is_free_along(const ContactPoint<dim> &,           \
+                                         const unsigned int,                  \
+                                         const Tensor<1, dim> &,              \
+                                         const DiscretizedBodies<dim> &);     \
+  template void            skip_where_held(ContactPoint<dim> &,               \
+                                           const DiscretizedBodies<dim> &,    \
+                                           const GhostedVector &);            \
+  template Point<dim>      slave_position(const ContactPoint<dim> &,          \
+                                          const GhostedVector &);             \
+  template NormalCone<dim> directions_of(const ContactPoint<dim> &,           \
+                                         const DeformedSurface<dim> &);       \
+  template void            pair_with_master(ContactPoint<dim> &,              \
+                                            const NormalCone<dim> &,          \
+                                            const DeformedSurface<dim> &,     \
+                                            const DiscretizedBodies<dim> &,   \
+                                            const GhostedVector &);           \
+  template void            pair_with_obstacle(ContactPoint<dim> &,            \
+                                              const Obstacle<dim> &,          \
+                                              const DiscretizedBodies<dim> &, \
                                               const GhostedVector &);
   INSTANTIATE(2)
   INSTANTIATE(3)

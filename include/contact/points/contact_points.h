@@ -63,15 +63,17 @@ namespace Contact
    * out; in 3-D one across a component of the displacement that supports
    * prescribe of all its nodes, none across two.
    */
-  std::vector<Tensor<1, 1>> free_slips(const ContactPoint<2>   &point,
-                                       const Discretization<2> &discretization);
-  std::vector<Tensor<1, 2>> free_slips(const ContactPoint<3>   &point,
-                                       const Discretization<3> &discretization);
+  std::vector<Tensor<1, 1>>
+  free_slips(const ContactPoint<2>      &point,
+             const DiscretizedBodies<2> &discretization);
+  std::vector<Tensor<1, 2>>
+  free_slips(const ContactPoint<3>      &point,
+             const DiscretizedBodies<3> &discretization);
 
   /// Whether supports leave no direction of slip.
   template<int dim>
-  bool has_no_free_tangent(const ContactPoint<dim>   &point,
-                           const Discretization<dim> &discretization)
+  bool has_no_free_tangent(const ContactPoint<dim>      &point,
+                           const DiscretizedBodies<dim> &discretization)
   {
     return free_slips(point, discretization).empty();
   }
@@ -81,20 +83,20 @@ namespace Contact
    * not leave free, while its gap stays: it follows from their @p motion, and
    * from that of an obstacle. Zero where all are free.
    */
-  Tensor<1, 1> prescribed_slip(const ContactPoint<2>   &point,
-                               const Discretization<2> &discretization,
-                               const GhostedVector     &motion);
-  Tensor<1, 2> prescribed_slip(const ContactPoint<3>   &point,
-                               const Discretization<3> &discretization,
-                               const GhostedVector     &motion);
+  Tensor<1, 1> prescribed_slip(const ContactPoint<2>      &point,
+                               const DiscretizedBodies<2> &discretization,
+                               const GhostedVector        &motion);
+  Tensor<1, 2> prescribed_slip(const ContactPoint<3>      &point,
+                               const DiscretizedBodies<3> &discretization,
+                               const GhostedVector        &motion);
 
   /// Whether supports leave one of the first @p n_nodes nodes of a point free
   /// to move along @p normal, other than by round-off of its coefficient.
   template<int dim>
-  bool is_free_along(const ContactPoint<dim>   &point,
-                     const unsigned int         n_nodes,
-                     const Tensor<1, dim>      &normal,
-                     const Discretization<dim> &discretization);
+  bool is_free_along(const ContactPoint<dim>      &point,
+                     const unsigned int            n_nodes,
+                     const Tensor<1, dim>         &normal,
+                     const DiscretizedBodies<dim> &discretization);
 
   /**
    * A point whose nodes are held on both sides has no unknown for its pressure
@@ -102,9 +104,9 @@ namespace Contact
    * supports press the bodies into each other.
    */
   template<int dim>
-  void skip_where_held(ContactPoint<dim>         &point,
-                       const Discretization<dim> &discretization,
-                       const GhostedVector       &u);
+  void skip_where_held(ContactPoint<dim>            &point,
+                       const DiscretizedBodies<dim> &discretization,
+                       const GhostedVector          &u);
 
   /**
    * Across a plane of symmetry of both bodies a point does not slip, and its
@@ -116,22 +118,22 @@ namespace Contact
    * it and its image, and no slip up the slant.
    * The tangents, and the springs of the rim.
    */
-  void make_symmetric(ContactPoint<3>         &point,
-                      const Discretization<3> &discretization,
-                      const GhostedVector     &u,
-                      const double             tolerance);
+  void make_symmetric(ContactPoint<3>            &point,
+                      const DiscretizedBodies<3> &discretization,
+                      const GhostedVector        &u,
+                      const double                tolerance);
 
   /// Mark where what supports hold of the slave ends. A node there that sticks
   /// gives no way. Where the master has fewer in such a row it could not
   /// follow, and shears would alternate between their bounds.
   void mark_dirichlet_edges(const Surface<3>             &slave,
                             const MultiplierSpace        &multipliers,
-                            const Discretization<3>      &discretization,
+                            const DiscretizedBodies<3>   &discretization,
                             std::vector<ContactPoint<3>> &points);
 
   inline void mark_dirichlet_edges(const Surface<2> &,
                                    const MultiplierSpace &,
-                                   const Discretization<2> &,
+                                   const DiscretizedBodies<2> &,
                                    std::vector<ContactPoint<2>> &)
   {
   }
@@ -177,31 +179,31 @@ namespace Contact
   /// Pair a point that looks in these directions with the closest point of the
   /// master in the configuration @p u.
   template<int dim>
-  void pair_with_master(ContactPoint<dim>          &point,
-                        const NormalCone<dim>      &directions,
-                        const DeformedSurface<dim> &master,
-                        const Discretization<dim>  &discretization,
-                        const GhostedVector        &u);
+  void pair_with_master(ContactPoint<dim>            &point,
+                        const NormalCone<dim>        &directions,
+                        const DeformedSurface<dim>   &master,
+                        const DiscretizedBodies<dim> &discretization,
+                        const GhostedVector          &u);
 
   /// The master side of a point at its projection: nodes and coefficients, with
   /// their derivatives in 2-D, normal and tangents.
-  void face_master(ContactPoint<2>          &point,
-                   const Projection<2>      &projection,
-                   const DeformedSurface<2> &master,
-                   const Discretization<2>  &discretization,
-                   const GhostedVector      &u);
-  void face_master(ContactPoint<3>          &point,
-                   const Projection<3>      &projection,
-                   const DeformedSurface<3> &master,
-                   const Discretization<3>  &discretization,
-                   const GhostedVector      &u);
+  void face_master(ContactPoint<2>            &point,
+                   const Projection<2>        &projection,
+                   const DeformedSurface<2>   &master,
+                   const DiscretizedBodies<2> &discretization,
+                   const GhostedVector        &u);
+  void face_master(ContactPoint<3>            &point,
+                   const Projection<3>        &projection,
+                   const DeformedSurface<3>   &master,
+                   const DiscretizedBodies<3> &discretization,
+                   const GhostedVector        &u);
 
   /// The same on a rigid obstacle.
   template<int dim>
-  void pair_with_obstacle(ContactPoint<dim>         &point,
-                          const Obstacle<dim>       &obstacle,
-                          const Discretization<dim> &discretization,
-                          const GhostedVector       &u);
+  void pair_with_obstacle(ContactPoint<dim>            &point,
+                          const Obstacle<dim>          &obstacle,
+                          const DiscretizedBodies<dim> &discretization,
+                          const GhostedVector          &u);
 } // namespace Contact
 
 #endif

@@ -118,7 +118,7 @@ namespace Contact
                           const DeformedSurface<dim>         &master,
                           const DeformedSurface<dim>         &slave,
                           const BodyOverlap<dim>             &bodies,
-                          const Discretization<dim>          &discretization,
+                          const DiscretizedBodies<dim>       &discretization,
                           const GhostedVector                &u)
   {
     for (ContactPoint<dim> &corner : corners)
@@ -170,7 +170,7 @@ namespace Contact
                                      const DeformedSurface<dim> &,            \
                                      const DeformedSurface<dim> &,            \
                                      const BodyOverlap<dim> &,                \
-                                     const Discretization<dim> &,             \
+                                     const DiscretizedBodies<dim> &,          \
                                      const GhostedVector &);                  \
   template unsigned int node_at_foot(const ContactPoint<dim> &,               \
                                      const Surface<dim> &);

@@ -71,7 +71,7 @@ namespace Contact
                           const DeformedSurface<dim>         &master,
                           const DeformedSurface<dim>         &slave,
                           const BodyOverlap<dim>             &bodies,
-                          const Discretization<dim>          &discretization,
+                          const DiscretizedBodies<dim>       &discretization,
                           const GhostedVector                &u);
 
   /**

@@ -16,8 +16,8 @@ namespace Contact
     /// unknowns that no support fixes.
     struct FreeRows
     {
-      FreeRows(const ContactPoint<2>   &point,
-               const Discretization<2> &discretization)
+      FreeRows(const ContactPoint<2>      &point,
+               const DiscretizedBodies<2> &discretization)
       {
         for (unsigned int a = 0; a < point.n_nodes; ++a)
           {
@@ -111,8 +111,9 @@ namespace Contact
 
 
 
-  std::vector<Tensor<1, 1>> free_slips(const ContactPoint<2>   &point,
-                                       const Discretization<2> &discretization)
+  std::vector<Tensor<1, 1>>
+  free_slips(const ContactPoint<2>      &point,
+             const DiscretizedBodies<2> &discretization)
   {
     if (FreeRows(point, discretization).are_parallel())
       return {};
@@ -121,9 +122,9 @@ namespace Contact
 
 
 
-  Tensor<1, 1> prescribed_slip(const ContactPoint<2>   &point,
-                               const Discretization<2> &discretization,
-                               const GhostedVector     &motion)
+  Tensor<1, 1> prescribed_slip(const ContactPoint<2>      &point,
+                               const DiscretizedBodies<2> &discretization,
+                               const GhostedVector        &motion)
   {
     const FreeRows rows(point, discretization);
     if (!rows.are_parallel())
@@ -164,7 +165,7 @@ namespace Contact
   void face_master(ContactPoint<2>          &point,
                    const Projection<2>      &projection,
                    const DeformedSurface<2> &master,
-                   const Discretization<2> &,
+                   const DiscretizedBodies<2> &,
                    const GhostedVector &)
   {
     const unsigned int other     = other_edge(projection, master);

@@ -38,9 +38,9 @@ namespace Contact
 
 
 
-    bool is_held(const NodeDoFs<3>       &node,
-                 const Tensor<1, 3>      &direction,
-                 const Discretization<3> &discretization)
+    bool is_held(const NodeDoFs<3>          &node,
+                 const Tensor<1, 3>         &direction,
+                 const DiscretizedBodies<3> &discretization)
     {
       const double round_off = 1e-8;
       return discretization.free_part(node, direction).norm() < round_off;
@@ -50,11 +50,10 @@ namespace Contact
 
     /// The directions that supports may hold a node in.
     std::vector<Tensor<1, 3>>
-    directions_of_supports(const NodeDoFs<3>       &node,
-                           const Discretization<3> &discretization)
+    directions_of_supports(const NodeDoFs<3>          &node,
+                           const DiscretizedBodies<3> &discretization)
     {
-      std::vector<Tensor<1, 3>> directions =
-        discretization.normal_supports.normals(node);
+      std::vector<Tensor<1, 3>> directions = discretization.held_normals(node);
       for (unsigned int c = 3; c-- > 0;)
         directions.insert(directions.begin(), Point<3>::unit_vector(c));
       return directions;
@@ -65,8 +64,8 @@ namespace Contact
     /// The components of the relative displacement of a point that supports
     /// prescribe, in all nodes, without those that are next to the normal.
     std::vector<Tensor<1, 3>>
-    prescribed_components(const ContactPoint<3>   &point,
-                          const Discretization<3> &discretization)
+    prescribed_components(const ContactPoint<3>      &point,
+                          const DiscretizedBodies<3> &discretization)
     {
       const double              round_off = 1e-8, sine = 1e-3;
       std::vector<Tensor<1, 3>> components;
@@ -90,8 +89,9 @@ namespace Contact
 
 
 
-  std::vector<Tensor<1, 2>> free_slips(const ContactPoint<3>   &point,
-                                       const Discretization<3> &discretization)
+  std::vector<Tensor<1, 2>>
+  free_slips(const ContactPoint<3>      &point,
+             const DiscretizedBodies<3> &discretization)
   {
     const auto held = prescribed_components(point, discretization);
     if (held.empty())
@@ -108,9 +108,9 @@ namespace Contact
 
 
   // The shortest one that has the prescribed components.
-  Tensor<1, 2> prescribed_slip(const ContactPoint<3>   &point,
-                               const Discretization<3> &discretization,
-                               const GhostedVector     &motion)
+  Tensor<1, 2> prescribed_slip(const ContactPoint<3>      &point,
+                               const DiscretizedBodies<3> &discretization,
+                               const GhostedVector        &motion)
   {
     const double round_off = 1e-10;
     const auto   held      = prescribed_components(point, discretization);
@@ -145,10 +145,10 @@ namespace Contact
 
 
 
-  void make_symmetric(ContactPoint<3>         &point,
-                      const Discretization<3> &discretization,
-                      const GhostedVector     &u,
-                      const double             tolerance)
+  void make_symmetric(ContactPoint<3>            &point,
+                      const DiscretizedBodies<3> &discretization,
+                      const GhostedVector        &u,
+                      const double                tolerance)
   {
     const double sine = 0.9, smooth = Surface<3>::sine_of_smooth_slant();
     std::vector<Tensor<1, 3>> planes, slanted;
@@ -202,7 +202,7 @@ namespace Contact
 
   void mark_dirichlet_edges(const Surface<3>             &slave,
                             const MultiplierSpace        &multipliers,
-                            const Discretization<3>      &discretization,
+                            const DiscretizedBodies<3>   &discretization,
                             std::vector<ContactPoint<3>> &points)
   {
     for (unsigned int node = 0; node < slave.nodes.size(); ++node)
@@ -227,11 +227,11 @@ namespace Contact
 
   // Where several facets have the same closest point, which of them was found
   // first must not matter: the normal is the mean of theirs.
-  void face_master(ContactPoint<3>          &point,
-                   const Projection<3>      &projection,
-                   const DeformedSurface<3> &now,
-                   const Discretization<3>  &discretization,
-                   const GhostedVector      &u)
+  void face_master(ContactPoint<3>            &point,
+                   const Projection<3>        &projection,
+                   const DeformedSurface<3>   &now,
+                   const DiscretizedBodies<3> &discretization,
+                   const GhostedVector        &u)
   {
     const Surface<3> &master = now.surface;
     point.projection         = Point<3>();

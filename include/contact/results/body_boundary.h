@@ -28,8 +28,8 @@ namespace Contact
     /// together from what each process owns. Collective.
     std::vector<Point<dim>> positions(const GhostedVector &u) const;
 
-    const Surface<dim>        &surface;
-    const Discretization<dim> &discretization;
+    const Surface<dim>           &surface;
+    const DiscretizedBodies<dim> &discretization;
   };
 
   /// The depth of a place behind the closest place of the boundary of a body

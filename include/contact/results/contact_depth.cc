@@ -215,10 +215,11 @@ namespace Contact
                           const bool              as_drawn,
                           ContactDepth<dim>      &deepest)
     {
-      const Surface<dim>        &slave = contact_pair.slave;
-      const DeformedSurface<dim> now(slave, u), drawn(slave, {});
-      const Obstacle<dim>       &obstacle       = *contact_pair.obstacle;
-      const Discretization<dim> &discretization = contact_pair.discretization;
+      const Surface<dim>           &slave = contact_pair.slave;
+      const DeformedSurface<dim>    now(slave, u), drawn(slave, {});
+      const Obstacle<dim>          &obstacle = *contact_pair.obstacle;
+      const DiscretizedBodies<dim> &discretization =
+        contact_pair.discretization;
       const bool at_nodes = !contact_pair.has_point_per_multiplier();
       const auto is_held  = [&](const SurfaceFacet<dim> &facet,
                                const Tensor<1, dim>    &normal) {

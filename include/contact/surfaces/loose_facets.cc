@@ -108,7 +108,7 @@ namespace Contact
     /// sides, and its centre.
     template<int dim>
     LooseFacet<dim>
-    make_loose_facet(const Discretization<dim> &discretization,
+    make_loose_facet(const DiscretizedBodies<dim> &discretization,
                      const typename DoFHandler<dim>::active_cell_iterator &cell,
                      const unsigned int                                    f)
     {
@@ -122,7 +122,7 @@ namespace Contact
 
       LooseFacet<dim> facet;
       facet.body  = cell->material_id();
-      facet.piece = discretization.mesh.pieces.of_cell(cell);
+      facet.piece = discretization.piece(cell);
       facet.level = cell->level();
       // Round sides do not make a flat face round.
       facet.middle = face->center(
@@ -154,13 +154,15 @@ namespace Contact
 
   template<int dim>
   std::vector<LooseFacet<dim>>
-  loose_facets(const Discretization<dim>          &discretization,
+  loose_facets(const DiscretizedBodies<dim>       &discretization,
                const std::set<types::boundary_id> &boundary_ids,
                const std::optional<unsigned int>   part)
   {
-    const auto parts = connected_parts(discretization.mesh.triangulation);
+    const auto parts =
+      connected_parts(discretization.dof_handler.get_triangulation());
     AffineConstraints<double> hanging;
-    if (dim == 3 && discretization.mesh.triangulation.has_hanging_nodes())
+    if (dim == 3 &&
+        discretization.dof_handler.get_triangulation().has_hanging_nodes())
       DoFTools::make_hanging_node_constraints(discretization.dof_handler,
                                               hanging);
     hanging.close();
@@ -186,11 +188,11 @@ namespace Contact
   }
 
   template std::vector<LooseFacet<2>>
-  loose_facets(const Discretization<2> &,
+  loose_facets(const DiscretizedBodies<2> &,
                const std::set<types::boundary_id> &,
                const std::optional<unsigned int>);
   template std::vector<LooseFacet<3>>
-  loose_facets(const Discretization<3> &,
+  loose_facets(const DiscretizedBodies<3> &,
                const std::set<types::boundary_id> &,
                const std::optional<unsigned int>);
 } // namespace Contact

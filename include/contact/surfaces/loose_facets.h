@@ -55,7 +55,7 @@ namespace Contact
   /// the mesh.
   template<int dim>
   std::vector<LooseFacet<dim>>
-  loose_facets(const Discretization<dim>          &discretization,
+  loose_facets(const DiscretizedBodies<dim>       &discretization,
                const std::set<types::boundary_id> &boundary_ids,
                const std::optional<unsigned int>   part);
 } // namespace Contact

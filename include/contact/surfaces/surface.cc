@@ -21,7 +21,7 @@
 namespace Contact
 {
   template<int dim>
-  Surface<dim>::Surface(const Discretization<dim>          &discretization,
+  Surface<dim>::Surface(const DiscretizedBodies<dim>       &discretization,
                         const std::set<types::boundary_id> &boundary_ids,
                         const std::string                  &name,
                         const SurfaceCut                    cut)
@@ -44,12 +44,13 @@ namespace Contact
 
 
   template<int dim>
-  Surface<dim>::Surface(const Discretization<dim> &discretization,
-                        const unsigned int         part)
+  Surface<dim>::Surface(const DiscretizedBodies<dim> &discretization,
+                        const unsigned int            part)
     : degree(discretization.degree)
     , discretization(discretization)
   {
-    const auto ids = discretization.mesh.triangulation.get_boundary_ids();
+    const auto ids =
+      discretization.dof_handler.get_triangulation().get_boundary_ids();
     collect_facets({ids.begin(), ids.end()}, part);
     arrange();
     find_parted();

@@ -13,7 +13,8 @@
 #include <string>
 
 #include "contact/surfaces/facet_shapes.h"
-#include "solid/discretization.h"
+#include "parameters/parameters_scene.h"
+#include "solid/discretized_bodies.h"
 
 namespace Contact
 {
@@ -37,8 +38,8 @@ namespace Contact
 
   /// The name of a face of a cell at the boundary.
   template<int dim, typename Face>
-  FacetName<dim> facet_name(const Discretization<dim> &discretization,
-                            const Face                &face)
+  FacetName<dim> facet_name(const DiscretizedBodies<dim> &discretization,
+                            const Face                   &face)
   {
     FacetName<dim> name;
     for (unsigned int v = 0; v < name.size(); ++v)
@@ -159,13 +160,14 @@ namespace Contact
     }
 
     /// Throws InputError if there is no facet.
-    Surface(const Discretization<dim>          &discretization,
+    Surface(const DiscretizedBodies<dim>       &discretization,
             const std::set<types::boundary_id> &boundary_ids,
             const std::string                  &name,
             const SurfaceCut                    cut = SurfaceCut::none);
 
     /// The whole boundary of a connected part of the mesh.
-    Surface(const Discretization<dim> &discretization, const unsigned int part);
+    Surface(const DiscretizedBodies<dim> &discretization,
+            const unsigned int            part);
 
     /// Those of the discretization.
     Counters &counters() const
@@ -287,7 +289,7 @@ namespace Contact
     std::vector<unsigned int> same_side(const unsigned int facet,
                                         const unsigned int a) const;
 
-    const Discretization<dim> &discretization;
+    const DiscretizedBodies<dim> &discretization;
   };
 
 

@@ -51,10 +51,10 @@ namespace Contact
 
 
     template<int dim>
-    void check_bodies(const Surface<dim>        &slave,
-                      const Surface<dim>        &master,
-                      const Discretization<dim> &discretization,
-                      const Parameters::Contact &parameters)
+    void check_bodies(const Surface<dim>           &slave,
+                      const Surface<dim>           &master,
+                      const DiscretizedBodies<dim> &discretization,
+                      const Parameters::Contact    &parameters)
     {
       const auto of_slave = parts_of(slave), of_master = parts_of(master);
       std::set<unsigned int> common;
@@ -77,7 +77,7 @@ namespace Contact
           "' has lines of a body that the " +
           (in_slave ? "master '" + parameters.master
                     : "slave '" + parameters.slave) +
-          "' belongs to, '" + discretization.mesh.body_name(edge->body) +
+          "' belongs to, '" + discretization.body_name(edge->body) +
           "': " + lines_on(wrong, common),
         parameters.section() + (in_slave ? "/Slave" : "/Master"),
         "take these lines out of the group: contact of a body with itself is "
@@ -109,10 +109,10 @@ namespace Contact
 
 
   template<int dim>
-  void check_surfaces(const Surface<dim>        &slave,
-                      const Surface<dim>        &master,
-                      const Discretization<dim> &discretization,
-                      const Parameters::Contact &parameters)
+  void check_surfaces(const Surface<dim>           &slave,
+                      const Surface<dim>           &master,
+                      const DiscretizedBodies<dim> &discretization,
+                      const Parameters::Contact    &parameters)
   {
     check_nodes(slave, master, parameters);
     check_bodies(slave, master, discretization, parameters);
@@ -124,12 +124,9 @@ namespace Contact
   void check_ties(const Surface<dim>           &slave,
                   const Surface<dim>           *master,
                   const std::set<unsigned int> &excluded,
-                  const Discretization<dim>    &discretization,
+                  const DiscretizedBodies<dim> &discretization,
                   const Parameters::Contact    &parameters)
   {
-    if (discretization.tied().empty() &&
-        discretization.rigid_boundaries().empty())
-      return;
     std::map<types::global_dof_index, unsigned int> on_slave;
     std::set<types::global_dof_index>               on_master;
     for (unsigned int i = 0; i < slave.nodes.size(); ++i)
@@ -206,16 +203,16 @@ namespace Contact
     });
   }
 
-#define INSTANTIATE(dim)                                                  \
-  template void check_surfaces(const Surface<dim>        &slave,          \
-                               const Surface<dim>        &master,         \
-                               const Discretization<dim> &discretization, \
-                               const Parameters::Contact &parameters);    \
-  template void check_ties(const Surface<dim>           &slave,           \
-                           const Surface<dim>           *master,          \
-                           const std::set<unsigned int> &excluded,        \
-                           const Discretization<dim>    &discretization,  \
-                           const Parameters::Contact    &parameters);        \
+#define INSTANTIATE(dim)                                                     \
+  template void check_surfaces(const Surface<dim>           &slave,          \
+                               const Surface<dim>           &master,         \
+                               const DiscretizedBodies<dim> &discretization, \
+                               const Parameters::Contact    &parameters);       \
+  template void check_ties(const Surface<dim>           &slave,              \
+                           const Surface<dim>           *master,             \
+                           const std::set<unsigned int> &excluded,           \
+                           const DiscretizedBodies<dim> &discretization,     \
+                           const Parameters::Contact    &parameters);           \
   template bool overlap(const Surface<dim> &a, const Surface<dim> &b);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -21,10 +21,10 @@ namespace Contact
    * to touch. Throws InputError.
    */
   template<int dim>
-  void check_surfaces(const Surface<dim>        &slave,
-                      const Surface<dim>        &master,
-                      const Discretization<dim> &discretization,
-                      const Parameters::Contact &parameters);
+  void check_surfaces(const Surface<dim>           &slave,
+                      const Surface<dim>           &master,
+                      const DiscretizedBodies<dim> &discretization,
+                      const Parameters::Contact    &parameters);
 
   /// Check that no node of the slave but those @p excluded is tied to one of
   /// the master or of the slave: tie and contact would share one force as they
@@ -33,7 +33,7 @@ namespace Contact
   void check_ties(const Surface<dim>           &slave,
                   const Surface<dim>           *master,
                   const std::set<unsigned int> &excluded,
-                  const Discretization<dim>    &discretization,
+                  const DiscretizedBodies<dim> &discretization,
                   const Parameters::Contact    &parameters);
 
   /// Whether two surfaces have an edge in common.

@@ -10,16 +10,16 @@
 
 namespace Contact
 {
-  SymmetryPlanes::SymmetryPlanes(const Surface<3>        &slave,
-                                 const Surface<3>        &master,
-                                 const Discretization<3> &discretization)
+  SymmetryPlanes::SymmetryPlanes(const Surface<3>           &slave,
+                                 const Surface<3>           &master,
+                                 const DiscretizedBodies<3> &discretization)
     : discretization(discretization)
   {
     const double tolerance = 1e-6 * slave.reference_length(0);
     const double round_off = 1e-8;
     for (const SurfaceNode<3> &node : slave.nodes)
       {
-        auto directions = discretization.normal_supports.normals(node.dofs);
+        auto directions = discretization.held_normals(node.dofs);
         for (const unsigned int c : {0, 1, 2})
           directions.push_back(Point<3>::unit_vector(c));
         for (const Tensor<1, 3> &across : directions)

@@ -21,9 +21,9 @@ namespace Contact
   class SymmetryPlanes
   {
   public:
-    SymmetryPlanes(const Surface<3>        &slave,
-                   const Surface<3>        &master,
-                   const Discretization<3> &discretization);
+    SymmetryPlanes(const Surface<3>           &slave,
+                   const Surface<3>           &master,
+                   const DiscretizedBodies<3> &discretization);
 
     /// DeformedSurface::facet_normals() of either surface, along the planes
     /// that their nodes are on.
@@ -49,8 +49,8 @@ namespace Contact
                      const SurfaceFacet<3> &facet,
                      const unsigned int     side) const;
 
-    const Discretization<3> &discretization;
-    std::vector<Plane>       planes;
+    const DiscretizedBodies<3> &discretization;
+    std::vector<Plane>          planes;
   };
 } // namespace Contact
 

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 
+#include "solid/elasticity.h"
 #include "solvers/condensed/condensed_system.h"
 #include "solvers/condensed/interface_couplings.h"
 #include "solvers/direct/definite_solver.h"

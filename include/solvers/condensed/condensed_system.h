@@ -8,6 +8,7 @@
 
 #include <deal.II/base/timer.h>
 
+#include "solid/elasticity.h"
 #include "solvers/condensed/contact_elimination.h"
 
 namespace Contact

@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "contact/interface/contact_interface.h"
+#include "solid/discretization.h"
 #include "solvers/condensed/contradiction.h"
 #include "solvers/condensed/multiplier_recovery.h"
 #include "solvers/condensed/pairing_stiffness.h"

@@ -6,6 +6,7 @@
 #ifndef contact_multiplier_recovery_h
 #define contact_multiplier_recovery_h
 
+#include "solid/discretization.h"
 #include "solvers/condensed/slip_direction_stiffness.h"
 
 namespace Contact

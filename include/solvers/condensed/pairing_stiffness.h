@@ -9,6 +9,7 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include "contact/interface/contact_interface.h"
+#include "solid/discretization.h"
 
 namespace Contact
 {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "contact/interface/contact_interface.h"
+#include "solid/elasticity.h"
 
 namespace Contact
 {

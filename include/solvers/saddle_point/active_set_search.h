@@ -6,6 +6,7 @@
 #ifndef contact_active_set_search_h
 #define contact_active_set_search_h
 
+#include "solid/discretization.h"
 #include "solvers/saddle_point/linearized_contact.h"
 
 namespace Contact

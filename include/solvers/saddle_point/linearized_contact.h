@@ -7,6 +7,7 @@
 #define contact_linearized_contact_h
 
 #include "contact/interface/contact_kernel.h"
+#include "solid/discretization.h"
 #include "solvers/direct/linear_solver.h"
 
 namespace Contact
