@@ -11,6 +11,7 @@
 #include <string>
 
 #include "contact/interface/contact_interface.h"
+#include "parameters/quantities.h"
 
 namespace Contact
 {
