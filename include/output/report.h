@@ -15,10 +15,8 @@
 
 #include "model/contact_model.h"
 #include "output/body_results.h"
-#include "output/increment_table.h"
-#include "output/progress_bar.h"
 #include "output/result_files.h"
-#include "output/run_log.h"
+#include "output/screen.h"
 #include "output/summary.h"
 #include "verification/invariants.h"
 

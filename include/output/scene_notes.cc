@@ -206,10 +206,13 @@ namespace Contact
       const GhostedVector undeformed(model.discretization->distribution);
       for (const auto &contact_pair : model.interface->pairs)
         {
-          if (contact_pair->tied)
+          // One piece is behind its own surfaces.
+          if (contact_pair->tied ||
+              (contact_pair->master && contact_pair->slave.facets[0].piece ==
+                                         contact_pair->master->facets[0].piece))
             continue;
           const ContactDepth<dim> deepest =
-            largest_depth(*contact_pair, undeformed, /*as_drawn=*/false);
+            largest_depth(*contact_pair, undeformed, DepthOf::curves);
           if (deepest.depth >
               contact_pair->slave.unresolved_length(deepest.slave_facet))
             findings.push_back(

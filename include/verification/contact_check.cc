@@ -144,7 +144,9 @@ namespace Contact
     // other, or are a press fit of polygons that leave more open than that.
     const bool        pushes = carries_force(contact_pair);
     ContactDepth<dim> now =
-      largest_depth(contact_pair, solution, /*as_drawn=*/!pushes);
+      largest_depth(contact_pair,
+                    solution,
+                    pushes ? DepthOf::motion : DepthOf::mesh);
     now.depth -= clearance(contact_pair);
     if (now.depth <= 0)
       return;

@@ -259,17 +259,19 @@ namespace Contact
   template<int dim>
   ContactDepth<dim> largest_depth(const ContactPair<dim> &contact_pair,
                                   const GhostedVector    &u,
-                                  const bool              as_drawn)
+                                  const DepthOf           kind)
   {
+    const bool        as_drawn     = kind == DepthOf::mesh;
     const MPI_Comm    communicator = contact_pair.discretization.communicator;
     ContactDepth<dim> deepest;
     if (contact_pair.master)
       {
         const DeformedSurface<dim> slave(contact_pair.slave, u),
           master(*contact_pair.master, u);
-        const double way = as_drawn ? std::numeric_limits<double>::max()
-                                    : largest_way(slave) + largest_way(master) +
-                                        contact_pair.interference->at_start;
+        const double way = kind != DepthOf::motion
+                             ? std::numeric_limits<double>::max()
+                             : largest_way(slave) + largest_way(master) +
+                                 contact_pair.interference->at_start;
         for (const bool of_master : {false, true})
           {
             const BodyBoundary<dim> other(contact_pair, !of_master);
@@ -289,7 +291,7 @@ namespace Contact
   }
 
   template ContactDepth<2>
-  largest_depth(const ContactPair<2> &, const GhostedVector &, const bool);
+  largest_depth(const ContactPair<2> &, const GhostedVector &, const DepthOf);
   template ContactDepth<3>
-  largest_depth(const ContactPair<3> &, const GhostedVector &, const bool);
+  largest_depth(const ContactPair<3> &, const GhostedVector &, const DepthOf);
 } // namespace Contact

@@ -30,6 +30,15 @@ namespace Contact
     }
   };
 
+  /// The part of a depth that counts: all of it as drawn, that beyond what
+  /// facets are beside their curves, or of this no more than bodies have moved.
+  enum class DepthOf
+  {
+    mesh,
+    curves,
+    motion
+  };
+
   /**
    * The deepest place of both surfaces of a contact pair under the displacement
    * @p u: nodes, places between them, and those where edges of both cross, as
@@ -41,7 +50,7 @@ namespace Contact
    * discretization, which has no points there; an edge of the length h, if that
    * is no more than the radius R of a circle, may be inside of the circle by
    * h^2/(8 R), of which its two nodes know nothing. All this is allowed to
-   * polygons unless the depth is that @p as_drawn.
+   * polygons unless the depth is that of the mesh.
    *
    * All contact discretizations let surfaces pass through each other between
    * the places where they look, which vanishes with the mesh size. On a mesh
@@ -51,7 +60,7 @@ namespace Contact
   template<int dim>
   ContactDepth<dim> largest_depth(const ContactPair<dim> &contact_pair,
                                   const GhostedVector    &u,
-                                  const bool              as_drawn);
+                                  const DepthOf           kind);
 } // namespace Contact
 
 #endif
