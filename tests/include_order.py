@@ -11,7 +11,7 @@ import pathlib
 import re
 import sys
 
-ROOMS = ("base", "parameters", "mesh", "solid/materials", "solid",
+ROOMS = ("base", "parameters", "mesh", "bodies", "solid/materials", "solid",
          "contact/surfaces", "contact/obstacles", "contact/points",
          "contact/mortar", "contact/interface", "contact/results",
          "model", "probes",

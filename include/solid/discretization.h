@@ -16,9 +16,9 @@
 
 #include "base/counters.h"
 #include "base/ghosted_vector.h"
+#include "bodies/discretized_bodies.h"
 #include "mesh/mesh.h"
 #include "parameters/parameters.h"
-#include "solid/discretized_bodies.h"
 #include "solid/element_spaces.h"
 #include "solid/normal_supports.h"
 #include "solid/place.h"

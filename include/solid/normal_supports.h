@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "base/ghosted_vector.h"
+#include "bodies/discretized_bodies.h"
 #include "mesh/mesh.h"
-#include "solid/discretized_bodies.h"
 
 namespace Contact
 {

@@ -20,8 +20,8 @@
 
 #include <iostream>
 
+#include "bodies/given_bodies.h"
 #include "contact/interface/contact_kernel.h"
-#include "solid/given_bodies.h"
 
 using namespace dealii;
 
@@ -158,8 +158,13 @@ void run()
     solution[dof] = value;
   interface.active_set.initialize(start);
 
-  DynamicSparsityPattern couplings(N, N);
-  DoFTools::make_sparsity_pattern(dof_handler, couplings, constraints);
+  DynamicSparsityPattern               couplings(N, N);
+  std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+  for (const auto &cell : dof_handler.active_cell_iterators())
+    {
+      cell->get_dof_indices(dofs);
+      constraints.add_entries_local_to_global(dofs, couplings);
+    }
   interface.add_couplings(couplings);
   for (unsigned int i = 0; i < N; ++i)
     couplings.add(i, i);

@@ -12,9 +12,9 @@
 #include <set>
 #include <string>
 
+#include "bodies/discretized_bodies.h"
 #include "contact/surfaces/facet_shapes.h"
 #include "parameters/parameters_scene.h"
-#include "solid/discretized_bodies.h"
 
 namespace Contact
 {

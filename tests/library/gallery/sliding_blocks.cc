@@ -30,8 +30,8 @@
 
 // The library of contact: the equations of the points of contact, and the
 // bodies as contact sees them.
+#include "bodies/given_bodies.h"
 #include "contact/interface/contact_kernel.h"
-#include "solid/given_bodies.h"
 
 namespace SlidingBlocks
 {
@@ -234,8 +234,13 @@ namespace SlidingBlocks
   template<int dim>
   void SlidingBlocks<dim>::make_pattern()
   {
-    DynamicSparsityPattern couplings(n_unknowns, n_unknowns);
-    DoFTools::make_sparsity_pattern(dof_handler, couplings, constraints);
+    DynamicSparsityPattern               couplings(n_unknowns, n_unknowns);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        cell->get_dof_indices(dofs);
+        constraints.add_entries_local_to_global(dofs, couplings);
+      }
     contact->add_couplings(couplings);
     for (unsigned int i = 0; i < n_unknowns; ++i)
       couplings.add(i, i);

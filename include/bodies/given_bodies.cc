@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "solid/given_bodies.h"
+#include "bodies/given_bodies.h"
 
 #include <deal.II/fe/fe.h>
 

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "solid/discretized_bodies.h"
+#include "bodies/discretized_bodies.h"
 
 #include <cmath>
 

@@ -6,8 +6,8 @@
 #ifndef contact_given_bodies_h
 #define contact_given_bodies_h
 
+#include "bodies/discretized_bodies.h"
 #include "mesh/mesh_pieces.h"
-#include "solid/discretized_bodies.h"
 
 namespace Contact
 {
