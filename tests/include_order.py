@@ -18,7 +18,7 @@ ROOMS = ("base", "parameters", "mesh", "bodies", "solid/materials", "solid",
          "solvers/newton", "solvers/direct", "solvers/saddle_point",
          "solvers/rigid_pieces", "solvers/condensed", "solvers/multigrid",
          "solvers",
-         "adaptivity", "verification", "output")
+         "adaptivity", "verification", "output/vtu", "output")
 # Rooms may have so many files.
 MAX_FILES = 40
 

@@ -7,7 +7,7 @@
 #define contact_contact_grid_h
 
 #include "output/profile.h"
-#include "output/vtu_file.h"
+#include "output/vtu/vtu_file.h"
 
 namespace Contact
 {

@@ -13,7 +13,7 @@
 
 #include "base/all_ranks.h"
 #include "base/files.h"
-#include "output/body_grids.h"
+#include "output/vtu/body_grids.h"
 #include "output/contact_grid.h"
 #include "output/node_table.h"
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "output/profile.h"
-#include "output/vtu_file.h"
+#include "output/vtu/vtu_file.h"
 
 namespace Contact
 {

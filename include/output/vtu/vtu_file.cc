@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include "output/vtu_file.h"
+#include "output/vtu/vtu_file.h"
 
 #include <deal.II/base/utilities.h>
 

@@ -9,7 +9,7 @@
 #include <map>
 #include <vector>
 
-#include "output/vtu_file.h"
+#include "output/vtu/vtu_file.h"
 #include "solid/discretization.h"
 
 namespace Contact
