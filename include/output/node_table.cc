@@ -10,6 +10,7 @@
 #include <limits>
 #include <ostream>
 #include <set>
+#include <string>
 
 namespace Contact
 {
@@ -66,15 +67,18 @@ namespace Contact
   template<int dim>
   void write_nodes(std::ostream                    &out,
                    const Mesh<dim>                 &mesh,
-                   const std::vector<NodeRow<dim>> &rows)
+                   const std::vector<NodeRow<dim>> &rows,
+                   const std::string               &force_unit)
   {
+    std::string places, displacements, forces;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        places += std::string(",") + "XYZ"[d] + "_mm";
+        displacements += std::string(",displacement_") + "xyz"[d] + "_mm";
+        forces += std::string(",contact_force_") + "xyz"[d] + '_' + force_unit;
+      }
     out.precision(std::numeric_limits<double>::max_digits10);
-    out << (dim == 2
-              ? "body,piece,X_mm,Y_mm,displacement_x_mm,displacement_y_mm,"
-                "contact_force_x_N_per_mm,contact_force_y_N_per_mm\n"
-              : "body,piece,X_mm,Y_mm,Z_mm,displacement_x_mm,"
-                "displacement_y_mm,displacement_z_mm,contact_force_x_N,"
-                "contact_force_y_N,contact_force_z_N\n");
+    out << "body,piece" << places << displacements << forces << '\n';
     for (const NodeRow<dim> &row : rows)
       {
         out << mesh.body_name(mesh.pieces[row.piece].body) << ',' << row.piece;
@@ -94,8 +98,10 @@ namespace Contact
                               const GhostedVector     &contact_forces);
   template void write_nodes(std::ostream                  &out,
                             const Mesh<2>                 &mesh,
-                            const std::vector<NodeRow<2>> &rows);
+                            const std::vector<NodeRow<2>> &rows,
+                            const std::string             &force_unit);
   template void write_nodes(std::ostream                  &out,
                             const Mesh<3>                 &mesh,
-                            const std::vector<NodeRow<3>> &rows);
+                            const std::vector<NodeRow<3>> &rows,
+                            const std::string             &force_unit);
 } // namespace Contact

@@ -11,6 +11,7 @@
 #include <array>
 #include <boost/serialization/array.hpp>
 #include <iosfwd>
+#include <string>
 #include <vector>
 
 #include "solid/discretization.h"
@@ -44,11 +45,12 @@ namespace Contact
                 const GhostedVector       &contact_forces);
 
   /// Write the nodes as lines of numbers that a reader gets back to the last
-  /// bit, below a line with names and units.
+  /// bit, below a line with names and units, "N" or "N_per_mm" of forces.
   template<int dim>
   void write_nodes(std::ostream                    &out,
                    const Mesh<dim>                 &mesh,
-                   const std::vector<NodeRow<dim>> &rows);
+                   const std::vector<NodeRow<dim>> &rows,
+                   const std::string               &force_unit);
 } // namespace Contact
 
 #endif

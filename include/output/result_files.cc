@@ -21,15 +21,23 @@ namespace Contact
 {
   namespace
   {
-    /// The columns of a profile, and their values in a row. Forces of rings are
-    /// those of all of the ring.
-    std::string profile_columns(const ProfileRow<2> &, const bool is_ring)
+    /// The unit of a force in the name of a column: one by thickness, or of a
+    /// whole ring, or in 3-D.
+    template<int dim>
+    std::string force_unit(const Discretization<dim> &discretization)
     {
-      return std::string("arc_length_mm,deformed_arc_length_mm,X_mm,Y_mm,"
-                         "displacement_x_mm,displacement_y_mm,pressure_MPa,"
-                         "shear_MPa,") +
-             (is_ring ? "nodal_force_N" : "nodal_force_N_per_mm") +
-             ",gap_mm,slip_mm";
+      return discretization.per_thickness().empty() ? "N" : "N_per_mm";
+    }
+
+
+
+    /// The columns of a profile, and their values in a row.
+    std::string profile_columns(const Discretization<2> &discretization)
+    {
+      return "arc_length_mm,deformed_arc_length_mm,X_mm,Y_mm,"
+             "displacement_x_mm,displacement_y_mm,pressure_MPa,shear_MPa,"
+             "nodal_force_" +
+             force_unit(discretization) + ",gap_mm,slip_mm";
     }
 
     std::vector<double> profile_values(const ProfileRow<2> &row)
@@ -47,7 +55,7 @@ namespace Contact
               row.slip};
     }
 
-    std::string profile_columns(const ProfileRow<3> &, const bool)
+    std::string profile_columns(const Discretization<3> &)
     {
       return "X_mm,Y_mm,Z_mm,displacement_x_mm,displacement_y_mm,"
              "displacement_z_mm,pressure_MPa,shear_x_MPa,shear_y_MPa,"
@@ -270,7 +278,10 @@ namespace Contact
   {
     const auto rows = collect_nodes(discretization, solution, contact_forces);
     write_first("nodes.csv", [&](std::ostream &out) {
-      Contact::write_nodes(out, discretization.mesh, rows);
+      Contact::write_nodes(out,
+                           discretization.mesh,
+                           rows,
+                           force_unit(discretization));
     });
   }
 
@@ -282,9 +293,7 @@ namespace Contact
   {
     write_first("profile.csv", [&](std::ostream &out) {
       out.precision(12);
-      out << "surface,"
-          << profile_columns(ProfileRow<dim>(),
-                             discretization.per_thickness().empty())
+      out << "surface," << profile_columns(discretization)
           << ",status_0_open_1_slip_2_stick,extrapolated_pressure_MPa\n";
       for (const PairProfile<dim> &contact_pair : pairs)
         {

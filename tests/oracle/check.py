@@ -378,7 +378,7 @@ def forces_said(rows, X, resolution):
     for row in rows:
         distance, k = tree.query((row["X_mm"], row["Y_mm"]))
         p, q = row["pressure_MPa"], row["shear_MPa"]
-        force = row.get("nodal_force_N_per_mm", row.get("nodal_force_N"))  # rings
+        force = row.get("nodal_force_N_per_mm", row.get("nodal_force_N"))
         if distance <= resolution and (p or force):
             forces[k] = force * np.array([1, q / p if p else 0])
             is_normal[k] = not p

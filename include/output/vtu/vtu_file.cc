@@ -44,61 +44,71 @@ namespace Contact
 
 
 
-    /// The shapes of plane cells and volumes by dimension and number of nodes.
-    VtkShape vtk_shape(const unsigned int dim, const unsigned int n_nodes)
+    const std::vector<Point<3>> square{{0, 0, 0},
+                                       {1, 0, 0},
+                                       {1, 1, 0},
+                                       {0, 1, 0}};
+
+    std::vector<Point<3>> triangle(const bool is_quadratic)
     {
-      const std::vector<Point<3>> square{{0, 0, 0},
-                                         {1, 0, 0},
-                                         {1, 1, 0},
-                                         {0, 1, 0}};
-      const std::vector<Point<3>> triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-      const std::map<std::pair<unsigned int, unsigned int>, std::uint8_t> types{
-        {{1, 2}, 3},
-        {{2, 3}, 5},
-        {{2, 4}, 9},
-        {{2, 6}, 22},
-        {{2, 9}, 28},
-        {{3, 8}, 12},
-        {{3, 27}, 29}};
-      VtkShape shape{types.at({dim, n_nodes}), square};
-      if (dim == 1)
-        shape.nodes.resize(2);
-      else if (n_nodes == 3 || n_nodes == 6)
-        {
-          shape.nodes = triangle;
-          if (n_nodes == 6)
-            add_middles({{0, 1}, {1, 2}, {2, 0}}, shape.nodes);
-        }
-      else if (dim == 2 && n_nodes == 9)
-        add_middles({{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 1, 2, 3}},
-                    shape.nodes);
-      else if (dim == 3)
-        {
-          for (const Point<3> &corner : square)
-            shape.nodes.push_back(corner + Point<3>::unit_vector(2));
-          if (n_nodes == 27)
-            add_middles({{0, 1},
-                         {1, 2},
-                         {2, 3},
-                         {3, 0},
-                         {4, 5},
-                         {5, 6},
-                         {6, 7},
-                         {7, 4},
-                         {0, 4},
-                         {1, 5},
-                         {2, 6},
-                         {3, 7},
-                         {0, 3, 4, 7},
-                         {1, 2, 5, 6},
-                         {0, 1, 4, 5},
-                         {2, 3, 6, 7},
-                         {0, 1, 2, 3},
-                         {4, 5, 6, 7},
-                         {0, 1, 2, 3, 4, 5, 6, 7}},
-                        shape.nodes);
-        }
-      return shape;
+      std::vector<Point<3>> nodes{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+      if (is_quadratic)
+        add_middles({{0, 1}, {1, 2}, {2, 0}}, nodes);
+      return nodes;
+    }
+
+    std::vector<Point<3>> quadrangle(const bool is_quadratic)
+    {
+      std::vector<Point<3>> nodes = square;
+      if (is_quadratic)
+        add_middles({{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 1, 2, 3}}, nodes);
+      return nodes;
+    }
+
+    std::vector<Point<3>> hexahedron(const bool is_quadratic)
+    {
+      std::vector<Point<3>> nodes = square;
+      for (const Point<3> &corner : square)
+        nodes.push_back(corner + Point<3>::unit_vector(2));
+      if (is_quadratic)
+        add_middles({{0, 1},
+                     {1, 2},
+                     {2, 3},
+                     {3, 0},
+                     {4, 5},
+                     {5, 6},
+                     {6, 7},
+                     {7, 4},
+                     {0, 4},
+                     {1, 5},
+                     {2, 6},
+                     {3, 7},
+                     {0, 3, 4, 7},
+                     {1, 2, 5, 6},
+                     {0, 1, 4, 5},
+                     {2, 3, 6, 7},
+                     {0, 1, 2, 3},
+                     {4, 5, 6, 7},
+                     {0, 1, 2, 3, 4, 5, 6, 7}},
+                    nodes);
+      return nodes;
+    }
+
+
+
+    /// The shapes by dimension and number of nodes.
+    const VtkShape &vtk_shape(const unsigned int dim,
+                              const unsigned int n_nodes)
+    {
+      static const std::map<std::pair<unsigned int, unsigned int>, VtkShape>
+        shapes{{{1, 2}, {3, {{0, 0, 0}, {1, 0, 0}}}},
+               {{2, 3}, {5, triangle(false)}},
+               {{2, 6}, {22, triangle(true)}},
+               {{2, 4}, {9, quadrangle(false)}},
+               {{2, 9}, {28, quadrangle(true)}},
+               {{3, 8}, {12, hexahedron(false)}},
+               {{3, 27}, {29, hexahedron(true)}}};
+      return shapes.at({dim, n_nodes});
     }
 
 
@@ -201,8 +211,8 @@ namespace Contact
   void VtuGrid::add_cell(const std::vector<std::int32_t> &numbers,
                          const std::vector<Point<dim>>   &units)
   {
-    const VtkShape shape = vtk_shape(dim, numbers.size());
-    const double   near  = 1e-6; // of the unit cell
+    const VtkShape &shape = vtk_shape(dim, numbers.size());
+    const double    near  = 1e-6; // of the unit cell
     for (const Point<3> &node : shape.nodes)
       {
         const auto unit =
