@@ -34,7 +34,7 @@ decisions() {
     { print $column }' "$1/profile.csv" | LC_ALL=C sort
 }
 
-# starts SCREEN: on finer levels the residual that each increment starts with
+# starts LOG: on finer levels the residual that each increment starts with
 starts() {
   awk '
     /^Level / { level = $2 }
@@ -91,7 +91,7 @@ compare() {
     values "$directory/summary.json" >probes.$n
     decisions "$directory" >decisions.$n
     pieces "$directory" $n || fail "a file is missing with $n processes"
-    starts screen.$n >starts.$n
+    starts "$directory/log.txt" >starts.$n
     # Four digits are printed, of which round-off may change the last by one.
     paste starts.1 starts.$n | awk -v increments="$(
       sed '/"levels"/q' "$directory/summary.json" | grep -c '"level": [1-9]')" '

@@ -173,6 +173,7 @@ namespace Contact
       serialize(archive, steps, start);
     });
     invariants->restore(start);
+    report.open_log();
     report.files().remove_series();
     report.files().write_series();
     report.screen << "Restart behind t = " << report.increment().load_factor

@@ -59,14 +59,22 @@ namespace Contact
     // A scene that cannot be set up has its message already.
     if (summary.message.empty())
       summary.message = "the run has not ended";
-    run_log.open(result_files->directory / "log.txt",
-                 parameters.restart || parameters.is_repeated);
     if (goes_on)
       return;
+    open_log();
     result_files->remove_series();
     if (!parameters.restart)
       result_files->remove_increments();
     write_summary();
+  }
+
+
+
+  template<int dim>
+  void Report<dim>::open_log()
+  {
+    run_log.open(result_files->directory / "log.txt",
+                 parameters.restart || parameters.is_repeated);
   }
 
 

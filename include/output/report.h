@@ -60,6 +60,9 @@ namespace Contact
     /// replaces them only once it has found that it can.
     void open_files(const Discretization<dim> &discretization);
 
+    /// What has been told so far goes to the log, and what follows.
+    void open_log();
+
     bool has_files() const
     {
       return result_files != nullptr;
