@@ -356,7 +356,7 @@ namespace Contact
           interface.state(point, refined->state.solution, refined->state.start);
         const Traction<2> traction = interface.active_set.traction(point, now);
         std::vector<std::pair<Tensor<1, 2>, double>> conditions;
-        if (traction.dq_dq > 0)
+        if (traction.dq_dq[0][0] > 0)
           conditions = {{point.normal, -J_n}, {point.tangents[0], -J_t}};
         else
           conditions = {{point.normal + traction.dq_dp[0] * point.tangents[0],

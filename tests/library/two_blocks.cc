@@ -25,9 +25,7 @@
 
 using namespace dealii;
 
-// Names of boundaries: those of colorized rectangles, of which a face below has
-// the number 2 (dim - 1) and the one above the next. The upper block adds ten.
-const types::boundary_id of_upper = 10;
+const types::boundary_id base = 1, ground = 2, sole = 3, head = 4;
 const types::material_id lower = 0, upper = 1;
 
 template<int dim>
@@ -44,23 +42,27 @@ void make_mesh(Triangulation<dim> &mesh)
     for (unsigned int d = 0; d < dim; ++d)
       from[d] = -width / 2, to[d] = width / 2;
     from[dim - 1] = bottom, to[dim - 1] = top, n[dim - 1] = n_across;
-    GridGenerator::subdivided_hyper_rectangle(triangulation, n, from, to, true);
+    GridGenerator::subdivided_hyper_rectangle(triangulation, n, from, to);
   };
+  const double       gap = 0.001; // no node is of both
   Triangulation<dim> below, above;
   block(below, 4, -2, 0, 8, 4);
-  block(above, 2, 0.001, 1.001, 5, 3); // a gap: no node in common
-  for (const auto &cell : above.active_cell_iterators())
+  block(above, 2, gap, 1 + gap, 5, 3);
+  GridGenerator::merge_triangulations(below, above, mesh, gap / 1000);
+
+  const std::map<types::boundary_id, double> heights = {{base, -2},
+                                                        {ground, 0},
+                                                        {sole, gap},
+                                                        {head, 1 + gap}};
+  for (const auto &cell : mesh.active_cell_iterators())
     {
-      cell->set_material_id(upper);
+      cell->set_material_id(cell->center()[dim - 1] < 0 ? lower : upper);
       for (const auto &face : cell->face_iterators())
-        if (face->at_boundary())
-          face->set_boundary_id(face->boundary_id() + of_upper);
+        for (const auto &[id, height] : heights)
+          if (face->at_boundary() &&
+              std::abs(face->center()[dim - 1] - height) < gap / 1000)
+            face->set_boundary_id(id);
     }
-  GridGenerator::merge_triangulations({&below, &above},
-                                      mesh,
-                                      1e-6,
-                                      false,
-                                      true);
 }
 
 // Minus the residual, and the tangent, of linear elasticity.
@@ -113,20 +115,19 @@ void run()
   const FESystem<dim> fe(FE_Q<dim>(1), dim);
   DoFHandler<dim>     dof_handler(mesh);
   dof_handler.distribute_dofs(fe);
-  const types::boundary_id below = 2 * (dim - 1), above = below + 1;
 
   // What is prescribed, and supports of an update, under which they rest.
   std::map<types::global_dof_index, double> prescribed;
-  std::vector<double>                       head(dim, 0.);
-  head[0] = 0.02, head[dim - 1] = -0.05;
+  std::vector<double>                       way(dim, 0.);
+  way[0] = 0.02, way[dim - 1] = -0.05;
   VectorTools::interpolate_boundary_values(dof_handler,
-                                           below,
+                                           base,
                                            Functions::ZeroFunction<dim>(dim),
                                            prescribed);
   VectorTools::interpolate_boundary_values(dof_handler,
-                                           of_upper + above,
+                                           head,
                                            Functions::ConstantFunction<dim>(
-                                             head),
+                                             way),
                                            prescribed);
   AffineConstraints<double> constraints;
   for (const auto &[dof, value] : prescribed)
@@ -137,16 +138,17 @@ void run()
   const std::map<types::material_id, double> moduli = {{lower, 70000},
                                                        {upper, 210000}};
   const MappingQ<dim>                        mapping(1);
-  const Contact::GivenBodies<dim>            bodies(
-    mapping,
-    dof_handler,
-    constraints,
-    {{"Sole", {types::boundary_id(of_upper + below)}}, {"Ground", {above}}},
-    moduli);
-  Contact::Parameters::Contact pair;
-  pair.slave                = "Sole";
-  pair.master               = "Ground";
-  pair.friction_coefficient = 0.3;
+  const Contact::GivenBodies<dim>            bodies(mapping,
+                                         dof_handler,
+                                         constraints,
+                                         {{"Sole", {sole}},
+                                                     {"Ground", {ground}}},
+                                         moduli);
+  Contact::Parameters::Contact               pair;
+  pair.slave                  = "Sole";
+  pair.master                 = "Ground";
+  pair.friction_coefficient   = 0.3;
+  pair.augmentation_parameter = 1; // slip turns in 3-D as fast as this
   Contact::ContactInterface<dim> interface(bodies, bodies, {pair});
 
   // Displacements, and behind them the multipliers.

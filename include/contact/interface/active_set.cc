@@ -269,13 +269,21 @@ namespace Contact
     if (status.kind == Status::stick)
       {
         traction.q     = q_trial;
-        traction.dq_dq = 1;
+        traction.dq_dq = unit_symmetric_tensor<dim - 1>();
       }
     else
       {
-        const FrictionLaw law = interface.bounds.law(point);
-        traction.q            = status.direction() * law.bound(p_trial);
-        traction.dq_dp = status.direction() * law.bound_derivative(p_trial);
+        const FrictionLaw        law = interface.bounds.law(point);
+        const Tensor<1, dim - 1> d   = status.direction();
+        traction.q                   = d * law.bound(p_trial);
+        traction.dq_dp               = d * law.bound_derivative(p_trial);
+        // The direction turns with the trial value: in 3-D alone.
+        if (const double size = q_trial.norm();
+            size > 0 && status.has_direction())
+          traction.dq_dq =
+            law.bound(p_trial) / size *
+            (Tensor<2, dim - 1>(unit_symmetric_tensor<dim - 1>()) -
+             outer_product(d, d));
       }
     return traction;
   }

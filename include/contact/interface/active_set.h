@@ -41,7 +41,7 @@ namespace Contact
   {
     double             p = 0, dp_dp = 0;
     Tensor<1, dim - 1> q, dq_dp; // by tangent
-    double             dq_dq = 0;
+    Tensor<2, dim - 1> dq_dq;
   };
 
 

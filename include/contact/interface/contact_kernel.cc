@@ -223,11 +223,12 @@ namespace Contact
         for (unsigned int k = 1; k < dim - 1; ++k)
           by_p += t.dq_dp[k] * rows.load_q[k][i];
         for (unsigned int j = 0; j < n; ++j)
-          matrix(i, j) = by_p * rows.p_trial[j] +
-                         t.dq_dq * rows.load_q[0][i] * rows.q_trial[0][j];
-        for (unsigned int k = 1; k < dim - 1; ++k)
-          for (unsigned int j = 0; j < n; ++j)
-            matrix(i, j) += t.dq_dq * rows.load_q[k][i] * rows.q_trial[k][j];
+          matrix(i, j) = by_p * rows.p_trial[j];
+        for (unsigned int k = 0; k < dim - 1; ++k)
+          for (unsigned int l = 0; l < dim - 1; ++l)
+            for (unsigned int j = 0; j < n; ++j)
+              matrix(i, j) +=
+                t.dq_dq[k][l] * rows.load_q[k][i] * rows.q_trial[l][j];
       }
     for_constraints(point,
                     [&](const unsigned int row,

@@ -207,9 +207,9 @@ namespace Contact
                                     p,
                                     Tensor<1, 1>({points[q].q}));
     if (tangential)
-      return {t.q[0] - t.dq_dp[0] * p - t.dq_dq * points[q].q,
+      return {t.q[0] - t.dq_dp[0] * p - t.dq_dq[0][0] * points[q].q,
               t.dq_dp[0],
-              t.dq_dq};
+              t.dq_dq[0][0]};
     return {t.p - t.dp_dp * p, t.dp_dp, 0.};
   }
 

@@ -86,10 +86,8 @@ namespace SlidingBlocks
     const MappingQ<dim> mapping;
     DoFHandler<dim>     dof_handler;
 
-    // Colorized rectangles have the number 2 (dim - 1) below and the next one
-    // above; those of the upper block get others.
-    const types::boundary_id of_upper = 10;
-    const types::boundary_id below = 2 * (dim - 1), above = below + 1;
+    // From below to above: of the lower block, then of the upper one.
+    const types::boundary_id base = 1, ground = 2, sole = 3, head = 4;
 
     // Newton's method moves supported unknowns by nothing: they are where they
     // have to be from the start of an increment on.
@@ -140,29 +138,30 @@ namespace SlidingBlocks
       from[dim - 1] = bottom;
       to[dim - 1]   = bottom + height;
       n[dim - 1]    = n_across;
-      GridGenerator::subdivided_hyper_rectangle(mesh,
-                                                n,
-                                                from,
-                                                to,
-                                                /*colorize=*/true);
+      GridGenerator::subdivided_hyper_rectangle(mesh, n, from, to);
     };
 
     Triangulation<dim> lower, upper;
     block(lower, 4, -2, 2, 8, 4);
     block(upper, 2, problem.gap, 1, 5, 3);
-    for (const auto &cell : upper.active_cell_iterators())
-      {
-        cell->set_material_id(problem.upper);
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary())
-            face->set_boundary_id(face->boundary_id() + of_upper);
-      }
     const double one_vertex = 1e-3 * problem.gap; // vertices as close are one
-    GridGenerator::merge_triangulations({&lower, &upper},
+    GridGenerator::merge_triangulations(lower,
+                                        upper,
                                         triangulation,
-                                        one_vertex,
-                                        /*copy_manifold_ids=*/false,
-                                        /*copy_boundary_ids=*/true);
+                                        one_vertex);
+
+    const std::map<types::boundary_id, double> heights =
+      {{base, -2}, {ground, 0}, {sole, problem.gap}, {head, problem.gap + 1}};
+    for (const auto &cell : triangulation.active_cell_iterators())
+      {
+        cell->set_material_id(cell->center()[dim - 1] < 0 ? problem.lower
+                                                          : problem.upper);
+        for (const auto &face : cell->face_iterators())
+          for (const auto &[id, height] : heights)
+            if (face->at_boundary() &&
+                std::abs(face->center()[dim - 1] - height) < one_vertex)
+              face->set_boundary_id(id);
+      }
     dof_handler.distribute_dofs(fe);
   }
 
@@ -172,8 +171,7 @@ namespace SlidingBlocks
   template<int dim>
   void SlidingBlocks<dim>::find_supports()
   {
-    for (const types::boundary_id id :
-         {below, types::boundary_id(of_upper + above)})
+    for (const types::boundary_id id : {base, head})
       {
         std::map<types::global_dof_index, double> held;
         VectorTools::interpolate_boundary_values(mapping,
@@ -185,7 +183,7 @@ namespace SlidingBlocks
         for (const auto &[dof, value] : held)
           {
             constraints.add_line(dof);
-            if (id != below)
+            if (id == head)
               unknowns_of_head.insert(dof);
           }
       }
@@ -206,9 +204,8 @@ namespace SlidingBlocks
       mapping,
       dof_handler,
       constraints,
-      typename Contact::GivenBodies<dim>::Boundaries{
-        {"Sole", {types::boundary_id(of_upper + below)}},
-        {"Ground", {above}}},
+      typename Contact::GivenBodies<dim>::Boundaries{{"Sole", {sole}},
+                                                     {"Ground", {ground}}},
       problem.youngs_moduli);
     Contact::Parameters::Contact pair;
     pair.slave                = "Sole";
