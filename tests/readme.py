@@ -109,6 +109,8 @@ ELSEWHERE = {
     "./run plot": "program/plot",
     "./run test": "the suite itself",
     "./run package": "a second build",
+    "cmake --install build --prefix DIR": "program/library",
+    "cmake --build build --target gallery_entry": "program/gallery_entry",
     "./run build-costs": "a second build",
     "cmake -S . -B build -DDEAL_II_DIR=DIR": "./run, where deal.II is installed",
     "gmsh -2 -format msh41 -o mine.msh mine.geo": "program/readme_case",

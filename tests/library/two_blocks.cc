@@ -148,7 +148,6 @@ void run()
   pair.slave                  = "Sole";
   pair.master                 = "Ground";
   pair.friction_coefficient   = 0.3;
-  pair.augmentation_parameter = 1; // slip turns in 3-D as fast as this
   Contact::ContactInterface<dim> interface(bodies, bodies, {pair});
 
   // Displacements, and behind them the multipliers.
