@@ -52,16 +52,15 @@ start() {
   ) & pid=$!
 }
 
-# send SIGNAL DIRECTORY: once two increments can be read, however long they take;
+# send SIGNAL DIRECTORY: once the summary has two increments, however long they take;
 # $status is that of the run. One that was over before the signal came, on a busy
 # machine, is started again; mpirun may still have been there to get the signal.
 send() {
   for _ in 1 2 3 4 5; do
     start "$2"
     until [ -e "$2.ended" ]; do
-      if { [ -e "$2/$name/bodies_0002_0.vtu" ] ||
-           [ -e "$2/$name/bodies_0002_0.pvtu" ]; } &&
-         [ -e "$2/$name/restart.bin" ]; then
+      n=$(finished "$2" 2>/dev/null)
+      if [ "${n:-0}" -ge 2 ] && [ -e "$2/$name/restart.bin" ]; then
         # shellcheck disable=SC2046 # two of mpirun, which would be slower
         kill "-$1" $(pgrep -P $pid -x contact ||
           pgrep -P "$(pgrep -P $pid)" -x contact) 2>/dev/null || true
