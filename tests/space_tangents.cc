@@ -125,9 +125,25 @@ namespace
 
 
 
+  /// Points that slip do so along their trial shears in a state.
+  void follow_slip(CondensedModelIn<3> &model, const GhostedVector &solution)
+  {
+    auto points = model.interface->points();
+    for (ContactPoint<3> &point : points)
+      if (point.status.has_direction())
+        {
+          const Tensor<1, 2> q =
+            model.interface->state(point, solution, model.start).q_trial;
+          point.status.slip_direction = q / q.norm();
+        }
+    model.interface->set_points(points);
+  }
+
+
+
   /// The distance of the points' tangent from difference quotients, in random
-  /// directions of all unknowns, by the largest entry. Nothing but the state
-  /// changes between these.
+  /// directions of all unknowns, by the largest entry. Between these nothing
+  /// but the state changes, and with it the direction of slip.
   double kernel_error(CondensedModelIn<3> &model, const bool bounds_follow)
   {
     const unsigned int     n = model.solution.size();
@@ -140,6 +156,7 @@ namespace
     const ContactKernel<3>     kernel(*model.interface);
     const ContactLinearization linearization{false};
     const BoundsWhile<3>       bounds(model.interface->bounds, bounds_follow);
+    follow_slip(model, model.solution);
     kernel.assemble(model.solution,
                     model.start,
                     linearization,
@@ -159,6 +176,7 @@ namespace
           {
             GhostedVector moved(model.solution), rhs(n);
             moved.add(side * h, du);
+            follow_slip(model, moved);
             kernel.assemble(moved, model.start, linearization, rhs, nullptr);
             by_differences.add(-side / (2 * h), rhs);
           }

@@ -56,7 +56,7 @@ int main()
   headline("open, under a pressure by that of the round-off of its gap");
   const double smallest = std::numeric_limits<double>::epsilon() *
                           point.X(0).norm() * point.augmentation_parameter;
-  for (const int part : {-1, 0, 1, 100})
+  for (const int part : {-1, 0, 1, 10000})
     std::cout << "  " << part << ": "
               << name(active_set.updated_status(point,
                                                 PointStatus<2>(),

@@ -159,8 +159,8 @@ def switched_on(s):
               {"Probes/Probes": "s: stress yy, Head", "Output/VTU": "true",
                "Output/Profile": "true"})
     check("stresses recovered once", r.counters["stress_recoveries"], 1)
-    check("files: four, two VTU with their series, profile",
-          r.counters["files"], 4 + 4 + 1)
+    check("files: four, VTU of two bodies and of contact, two series, profile",
+          r.counters["files"], 4 + 3 + 2 + 1)
 
     r = s.run("one adaptive level", scenes.BLOCKS, scenes.CONTACT,
               {"Refinement/Levels": "1", "Refinement/Strategy": "adaptive"})
