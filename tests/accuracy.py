@@ -87,6 +87,7 @@ for probe, place, limit in (("corner", "C", CORNER), ("middle", "M", None)):
     if status != 0:
         continue
     result = summary["probes"][0]
+    middle = result["value"]  # of the last one
     if limit is not None:
         check("  is as accurate", abs(result["value"] / limit - 1) < 1e-3,
               f"{100 * (result['value'] / limit - 1):g} %")
@@ -95,7 +96,8 @@ for probe, place, limit in (("corner", "C", CORNER), ("middle", "M", None)):
           (limit is not None), said)
 
 # Without dual problems: by the values on three meshes. In 3-D the reference is Lame's
-# closed form; the punch is in elastic-plastic bodies that do not yield.
+# closed form; the punch is in elastic-plastic bodies that do not yield, and has the
+# middle of the elastic one above, which dual problems have told.
 status, said, summary = run("verification/3d/thick_spheres",
                             "Probes/Accuracy=p(50): 1 %", "Probes/Tolerances="
                             "u(20): 1, u(50): 1, u(100): 1, p(50): 1, U_inner: 1, "
@@ -114,12 +116,15 @@ if status == 0:
 status, said, summary = run_scene("punch_plastic", {
     **SCENE, "Solids/Material": "A: elastic-plastic, B: elastic-plastic",
     "Solids/Yield stress": "A: 1e5, B: 1e5", "Mesh/Points": "M: 0, 0.5",
-    "Probes/Probes": "u: displacement y, C", "Probes/Accuracy": "u: 1 %"})
+    "Probes/Probes": "u: displacement y, M; a: plastic strain, M",
+    "Probes/Accuracy": "u: 1 %"})
 check("punch, plastic: runs", status == 0, said)
 if status == 0:
-    result = summary["probes"][0]
-    check("  is as accurate", abs(result["value"] / CORNER - 1) < 1e-2,
-          f"{100 * (result['value'] / CORNER - 1):g} %")
+    u, a = summary["probes"]
+    check("  is as accurate", abs(u["value"] / middle - 1) < 1e-2,
+          f"{100 * (u['value'] / middle - 1):g} %")
+    check("  zero strains have no error", a["value"] == 0 and
+          a["estimated_error"] is None, str(a))
 
 status, said, summary = run_scene("zero", {
     **SCENE, "Mesh/Points": "M: 0, 0.5", "Probes/Probes": "u: displacement x, M",
@@ -160,7 +165,7 @@ status, said, summary = run("nested", "Probes/Accuracy=DY(B): 1e-5 mm", *free,
                               "Refinement/Limits=unknowns: 3000")
 check("limit: status 1", status == 1, said)
 check("  says how far it got", re.search(
-    r"DY\(B\) to \S+ instead of 1e-05: the next mesh would take some \S+ "
+    r"DY\(B\) to .+ instead of 1e-05: the next mesh would take some \S+ "
     "unknowns, and the limit is 3e.03", said) is not None, said)
 check("  keeps it", summary["levels"][-1]["displacements"] <= 3000 and
       summary["converged"] and summary["probes"][0]["value"] ==

@@ -198,12 +198,17 @@ namespace Contact
     const double step = step_to(levels, k, probe);
     if (k == 1)
       return step;
-    const double fastest = 1. / 8;
+    const auto value = [&](const unsigned int l) {
+      return levels[l].probes.at(probe);
+    };
+    if (value(k - 2) == 0 && value(k - 1) == 0 && value(k) == 0)
+      return std::numeric_limits<double>::infinity();
+    const bool goes_on =
+      (value(k) - value(k - 1)) * (value(k - 1) - value(k - 2)) > 0;
+    const double fastest = goes_on ? 1. / 8 : 1. / 2;
     return std::max({step,
                      fastest * step_to(levels, k - 1, probe),
-                     std::abs(rest(levels[k - 2].probes.at(probe),
-                                   levels[k - 1].probes.at(probe),
-                                   levels[k].probes.at(probe)))});
+                     std::abs(rest(value(k - 2), value(k - 1), value(k)))});
   }
 
 
@@ -223,7 +228,9 @@ namespace Contact
       if (k < (estimated ? 1 : 2))
         return std::numeric_limits<double>::infinity();
       if (!estimated)
-        return error_by_values(levels, k, probe);
+        return agrees_with_last(levels, k, probe)
+                 ? error_by_values(levels, k, probe)
+                 : std::numeric_limits<double>::infinity();
       return std::max(
         {2 * std::abs(levels[k].errors.mesh.at(probe)),
          std::abs(limit(levels[k], probe) - limit(levels[k - 1], probe)),
@@ -257,8 +264,11 @@ namespace Contact
         const double error    = uncertainty(levels, levels.size() - 1, name);
         const double accepted = request.error_of(levels.back().probes.at(name));
         if (!(error <= accepted))
-          inaccurate += (inaccurate.empty() ? "" : "; ") + name + " to " +
-                        rounded(error) + " instead of " + rounded(accepted);
+          inaccurate +=
+            (inaccurate.empty() ? "" : "; ") + name + " to " +
+            (std::isfinite(error) ? rounded(error)
+                                  : "what so few meshes do not tell") +
+            " instead of " + rounded(accepted);
       }
     return inaccurate;
   }
@@ -361,6 +371,8 @@ namespace Contact
       const unsigned int last = levels.size() - 1;
       if (last < (has_estimates(levels[last]) ? 1 : 2))
         return "";
+      if (!agrees_with_last(levels, last, probe))
+        return "no rate of the error yet";
       const double ratio =
         error_on(levels, last, probe) / error_on(levels, last - 1, probe);
       const double growth = static_cast<double>(levels[last].n_displacements) /

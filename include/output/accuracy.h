@@ -98,7 +98,9 @@ namespace Contact
   /// error at least halves with that; or where the values of three meshes lead
   /// to. A step that is less than an eighth of the one before is so by chance:
   /// at the edge of contact solutions are no smoother than H^(5/2), and values
-  /// gain no more than h^3. Infinite on the first mesh.
+  /// gain no more than h^3; behind a step the other way, one that is less than
+  /// half. Infinite on the first mesh, and of a value that has been zero on
+  /// three, as of plastic strains and pressures where nothing acts yet.
   double error_by_values(const std::vector<LevelRecord> &levels,
                          const unsigned int              number,
                          const std::string              &probe);

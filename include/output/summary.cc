@@ -331,6 +331,8 @@ namespace Contact
           {
             const unsigned int last = summary.levels.size() - 1;
             probe.error = error_by_values(summary.levels, last, probe.name);
+            if (!std::isfinite(*probe.error))
+              probe.error.reset();
             probe.error_is_confirmed =
               agrees_with_last(summary.levels, last, probe.name);
           }
