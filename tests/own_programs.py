@@ -37,7 +37,8 @@ def build(source, build_of_program, target, *options):
     cache = (build_of_program / "CMakeCache.txt").read_text()
     deal_ii = re.search(r"^deal.II_DIR:\w+=(.*)$", cache, re.MULTILINE)[1]
     shutil.rmtree("own", ignore_errors=True)
-    call(cmake, "-S", source, "-B", "own", f"-Ddeal.II_DIR={deal_ii}",
+    call(cmake, "-G", "Ninja", "-S", source, "-B", "own",
+         f"-Ddeal.II_DIR={deal_ii}",
          "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O0 -g0",
          *options)
     call(cmake, "--build", "own", "--parallel", "2")
