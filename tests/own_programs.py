@@ -104,7 +104,7 @@ def compare(executable, dim, increments, histories=None):
     values = {p["name"]: p["value"] for p in summary["probes"]}
     of_program = [values[f"f{a}"] for a in axes]
     largest = max(map(abs, of_program))
-    difference = max(abs(abs(a) - abs(b)) for a, b in zip(force, of_program))
+    difference = max(abs(a - b) for a, b in zip(force, of_program))
     check(f"forces in {dim}-D", difference < DIGITS * largest,
           f"{force} {of_program}")
     steps = other.stdout.count("step ") - increments  # and one check each

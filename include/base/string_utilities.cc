@@ -110,6 +110,14 @@ namespace Contact
             best     = i;
           }
       }
-    return best;
+    if (best < candidates.size() || word.empty())
+      return best;
+    return std::find_if(candidates.begin(),
+                        candidates.end(),
+                        [&](const std::string &candidate) {
+                          return lower_case(candidate).rfind(lower_case(word),
+                                                             0) == 0;
+                        }) -
+           candidates.begin();
   }
 } // namespace Contact

@@ -40,8 +40,8 @@ namespace Contact
   std::pair<std::string, std::string> split_at(const std::string &text,
                                                const std::size_t  position);
 
-  /// The position of the nearest word; their number if all of them are too far
-  /// away to be what was meant.
+  /// The position of the nearest word; if all are too far away to be what was
+  /// meant, of the first that begins with it; their number if none does.
   std::size_t nearest(const std::string              &word,
                       const std::vector<std::string> &candidates);
 } // namespace Contact

@@ -54,12 +54,18 @@ namespace Contact
 
 
 
-    bool has_errors(const std::vector<LevelRecord> &levels)
+    /// Whether a level has an estimated error of its own for each probe.
+    bool has_estimates(const LevelRecord &level)
+    {
+      return !level.errors.mesh.empty();
+    }
+
+
+
+    bool all_have_estimates(const std::vector<LevelRecord> &levels)
     {
       return !levels.empty() &&
-             std::all_of(levels.begin(), levels.end(), [](const auto &level) {
-               return !level.errors.mesh.empty();
-             });
+             std::all_of(levels.begin(), levels.end(), has_estimates);
     }
 
 
@@ -98,7 +104,7 @@ namespace Contact
   std::optional<Forecast> forecast(const std::vector<LevelRecord> &levels,
                                    const double                    growth)
   {
-    if (levels.size() < 2 || !has_errors(levels))
+    if (levels.size() < 2 || !all_have_estimates(levels))
       return {};
     const LevelRecord &coarse = levels[levels.size() - 2];
     const LevelRecord &fine   = levels.back();
@@ -122,14 +128,6 @@ namespace Contact
 
   namespace
   {
-    /// Whether a level has an estimated error of its own for each probe.
-    bool has_estimates(const LevelRecord &level)
-    {
-      return !level.errors.mesh.empty();
-    }
-
-
-
     /// The value of a probe on a fine mesh, as a level estimates it.
     double limit(const LevelRecord &level, const std::string &probe)
     {
@@ -435,7 +433,7 @@ namespace Contact
 
   void print_accuracy(std::ostream &out, const RunSummary &summary)
   {
-    if (summary.levels.size() < 2 && !has_errors(summary.levels))
+    if (summary.levels.size() < 2 && !all_have_estimates(summary.levels))
       return;
     out << "Accuracy and its price:\n";
     for (const ProbeResult &probe : summary.probes)

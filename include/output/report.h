@@ -60,7 +60,7 @@ namespace Contact
     /// replaces them only once it has found that it can.
     void open_files(const Discretization<dim> &discretization);
 
-    /// What has been told so far goes to the log, and what follows.
+    /// The log gets the lines that there are already, and those to come.
     void open_log();
 
     bool has_files() const

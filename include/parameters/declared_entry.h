@@ -47,14 +47,14 @@ namespace Contact
     /// The values that the pattern allows, in words.
     std::string allowed_values() const;
 
-    /// What to write instead of a @p value that is not allowed.
+    /// The remedy for a @p value that is not allowed.
     std::string remedy(const std::string &value) const;
 
     /// The key that @p value, which matches the pattern, gives twice; if any.
     std::string repeated_key(const std::string &value) const;
   };
 
-  /// What stands behind the first number that has a word behind it, as "GPa" in
+  /// The word behind the first number that has one, as "GPa" in
   /// "Block: 70 GPa"; if any.
   std::string unit_behind_number(const std::string &text);
 

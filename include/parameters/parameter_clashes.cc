@@ -102,13 +102,13 @@ namespace Contact
                                                          : "/Obstacle force")},
                             remedy);
       for (const auto &[name, probe] : probes.definitions())
-        if (probe.quantity.name().compare(0, 8, "obstacle") == 0)
+        if (is_of_obstacle(probe.quantity) && !is_of_cut(probe.quantity))
           return EntryError("There is no dual problem for what an obstacle "
                             "exerts, the probe '" +
                               name + "'.",
                             {entry, "Probes/Probes"},
                             "ask for the contact force of the slave");
-        else if (probe.quantity.name().compare(0, 7, "support") == 0)
+        else if (is_of_supports_alone(probe.quantity))
           return EntryError(
             "There is no dual problem for the force of supports "
             "alone, the probe '" +

@@ -424,8 +424,7 @@ namespace Contact
   std::string ParameterReader::nearest_entry(const std::string &in_section,
                                              const std::string &name) const
   {
-    // A slip of the pen, or the begin of a name, is more likely than the wrong
-    // section.
+    // A slip of the pen is more likely than the wrong section.
     Names here, everywhere, paths;
     for (const DeclaredEntry &entry : entries)
       if (entry.alias_of.empty())
@@ -437,14 +436,6 @@ namespace Contact
         }
 
     std::size_t i = nearest(name, here);
-    if (i == here.size())
-      i =
-        std::find_if(here.begin(),
-                     here.end(),
-                     [&](const std::string &entry) {
-                       return lower_case(entry).rfind(lower_case(name), 0) == 0;
-                     }) -
-        here.begin();
     if (i < here.size())
       return "did you mean " + in_quotes(here[i]) + "?";
     i = nearest(name, everywhere);

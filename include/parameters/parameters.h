@@ -142,7 +142,7 @@ namespace Contact
       void check_points() const;
       void check_dual_problems() const;
 
-      /// What missing_dual_problem() says of effects, too.
+      /// The part of missing_dual_problem() that holds of effects, too.
       std::optional<EntryError>
            missing_derivative(const std::string &entry) const;
       void check_limits() const;

@@ -11,19 +11,13 @@
 #include "base/errors.h"
 #include "base/string_utilities.h"
 #include "contact/results/contact_results.h"
+#include "parameters/dual_quantities.h"
 #include "solid/followers.h"
 
 namespace Contact
 {
   using Parameters::Choice;
   using Parameters::Quantity;
-
-  bool is_of_supports_alone(const Quantity quantity)
-  {
-    return quantity >= Quantity::support_x && quantity <= Quantity::support_z;
-  }
-
-
 
   bool is_reaction(const Quantity quantity)
   {

@@ -16,9 +16,8 @@ namespace Contact
   using namespace dealii;
 
   /// Whether a quantity is the resultant of the forces on nodes that supports
-  /// hold, and whether it is that of the supports alone.
+  /// hold.
   bool is_reaction(const Parameters::Quantity quantity);
-  bool is_of_supports_alone(const Parameters::Quantity quantity);
 
   /// Whether a quantity is the resultant of forces at a boundary, of supports
   /// also at a point.

@@ -28,7 +28,7 @@ namespace Contact
       const double              farthest; // [mm]
       std::vector<Tensor<1, 6>> rows;
 
-      /// What a row has beside these.
+      /// The part of a row beside these.
       Tensor<1, 6> rest(Tensor<1, 6> row) const
       {
         for (unsigned int k = 3; k < 6; ++k)

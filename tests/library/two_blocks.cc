@@ -116,7 +116,7 @@ void run()
   DoFHandler<dim>     dof_handler(mesh);
   dof_handler.distribute_dofs(fe);
 
-  // What is prescribed, and supports of an update, under which they rest.
+  // Prescribed displacements, and supports of an update, under which they rest.
   std::map<types::global_dof_index, double> prescribed;
   std::vector<double>                       way(dim, 0.);
   way[0] = 0.02, way[dim - 1] = -0.05;
@@ -145,9 +145,9 @@ void run()
                                                      {"Ground", {ground}}},
                                          moduli);
   Contact::Parameters::Contact               pair;
-  pair.slave                  = "Sole";
-  pair.master                 = "Ground";
-  pair.friction_coefficient   = 0.3;
+  pair.slave                = "Sole";
+  pair.master               = "Ground";
+  pair.friction_coefficient = 0.3;
   Contact::ContactInterface<dim> interface(bodies, bodies, {pair});
 
   // Displacements, and behind them the multipliers.

@@ -91,24 +91,6 @@ namespace Contact
 
   namespace
   {
-    bool is_of_cut(const Quantity quantity)
-    {
-      return quantity == Quantity::preload || quantity == Quantity::shortening;
-    }
-  } // namespace
-
-
-
-  bool is_of_obstacle(const Quantity quantity)
-  {
-    return is_of_cut(quantity) ||
-           Choice<Quantity>(quantity).name().compare(0, 8, "obstacle") == 0;
-  }
-
-
-
-  namespace
-  {
     std::string key_of(const Quantity quantity)
     {
       std::string key = Choice<Quantity>(quantity).name();

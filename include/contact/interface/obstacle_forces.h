@@ -11,7 +11,7 @@
 #include <string>
 
 #include "contact/interface/contact_interface.h"
-#include "parameters/quantities.h"
+#include "parameters/dual_quantities.h"
 
 namespace Contact
 {
@@ -68,9 +68,6 @@ namespace Contact
                   const ContactPair<dim>      &contact_pair,
                   const GhostedVector         &solution,
                   const GhostedVector         &u_start);
-
-  /// Whether a quantity is what an obstacle or a cut exerts, or how it moves.
-  bool is_of_obstacle(const Parameters::Quantity quantity);
 
   /// That of the contact pair whose section is @p section [N per mm of
   /// thickness, N].

@@ -18,7 +18,7 @@ namespace Contact
   /**
    * The worst of the equations of contact points that cannot be met: they
    * follow from those of other points and from supports, but for a remainder.
-   * Where supports hold all, no pressure helps against penetration; else the
+   * No pressure helps against penetration where supports hold all; else the
    * statuses may be others in the next step.
    */
   template<int dim>
