@@ -51,6 +51,7 @@
 #include "output/accuracy.h"
 #include "output/application.h"
 #include "output/checkpoint.h"
+#include "output/notes.h"
 #include "output/postprocessor.h"
 #include "output/report.h"
 #include "solvers/newton/fixed_point.h"
@@ -339,12 +340,14 @@ namespace Contact
           }
         catch (const NotConverged &failure)
           {
+            const std::string remark =
+              step.from == 0 ? beyond_small_strain(model, state.solution) : "";
             if (try_again(steps, step, failure.what()))
               continue;
             std::ostringstream message;
             message << "no solution at t = " << step.to
                     << ", the last one is at t = " << step.from << ": "
-                    << failure.what();
+                    << failure.what() << (remark.empty() ? "" : "; ") << remark;
             throw NotConverged(message.str());
           }
         check_rotations(*model.discretization,

@@ -124,6 +124,7 @@ end
 
 subsection Output
   set VTU = true
+  set Profile = true
 end
 """
 

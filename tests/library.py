@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The library as others have it: the build is installed, tests/library is built
 against what was installed, and its two blocks, with an elasticity and a mesh of
-their own, have the forces of the program on the same mesh.
+their own, have the forces of the program on the same mesh: with multipliers as
+unknowns, and eliminated.
 
 Usage: library.py CONTACT PARAMETERS MESHES BUILD
 """
@@ -20,12 +21,12 @@ shutil.rmtree(prefix, ignore_errors=True)
 if shutil.which("cmake"):
     call("cmake", "--install", build_of_program, "--prefix", prefix,
          "--component", "library")
-executable = build(library, build_of_program, "two_blocks",
-                   f"-DCMAKE_PREFIX_PATH={prefix}")
+built = build(library, build_of_program, "", f"-DCMAKE_PREFIX_PATH={prefix}")
 compiled = call("ninja", "-C", "own", "-t", "deps")
 check("its headers are the installed ones",
       f"{prefix}/include/contact/" in compiled and
       f"{library.parents[1]}/include/" not in compiled)
-for dim in (2, 3):
-    compare(executable, dim, increments=1)
+for program in "two_blocks", "two_blocks_condensed":
+    for dim in (2, 3):
+        compare(built / program, dim, increments=1)
 sys.exit(len(failures) > 0)

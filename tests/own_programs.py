@@ -15,7 +15,7 @@ from volume_scenes import Volumes
 GAP = 0.001  # between the blocks
 DIGITS = 1e-6
 # The program searches the active set in the linearised problem, within a step.
-MORE_STEPS = 4
+MORE_STEPS = 1
 library = pathlib.Path(__file__).resolve().parent / "library"
 
 

@@ -222,6 +222,12 @@ namespace Contact
     /// they hold, and on multipliers. Collective.
     void compress_add();
 
+    /// AffineConstraints asks before it adds: those here are added to as well.
+    static bool has_ghost_elements()
+    {
+      return false;
+    }
+
     /// Zero where another process is the owner; of multipliers the first one
     /// is. To add to what has been summed up, and sum up once more.
     void zero_out_ghosts();

@@ -71,6 +71,24 @@ namespace Contact
     return true;
   }
 
+
+
+  template<int dim>
+  void
+  DiscretizedBodies<dim>::distribute(const AffineConstraints<double> &lines,
+                                     GhostedVector                   &u) const
+  {
+    for (const auto &line : lines.get_lines())
+      if (distribution->in_local_range(line.index))
+        {
+          double value = line.inhomogeneity;
+          for (const auto &[dof, coefficient] : line.entries)
+            value += coefficient * u[dof];
+          u[line.index] = value;
+        }
+    u.update_ghosts();
+  }
+
   template class DiscretizedBodies<2>;
   template class DiscretizedBodies<3>;
 } // namespace Contact

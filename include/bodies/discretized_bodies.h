@@ -150,6 +150,11 @@ namespace Contact
       return ties;
     }
 
+    /// Set the unknowns of @p u that @p lines constrain. A rank knows the
+    /// constraints of its own unknowns, not those of all others. Collective.
+    void distribute(const AffineConstraints<double> &lines,
+                    GhostedVector                   &u) const;
+
   protected:
     /// References to what need not have been made yet.
     DiscretizedBodies(const DoFHandler<dim>            &dof_handler,

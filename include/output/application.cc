@@ -18,6 +18,8 @@
 #include "base/errors.h"
 #include "base/files.h"
 #include "base/interruption.h"
+#include "base/string_utilities.h"
+#include "output/result_files.h"
 #include "output/result_tables.h"
 
 namespace Contact
@@ -43,6 +45,40 @@ namespace Contact
 
 
 
+    const std::string first_attempt = "first_attempt"; // a directory
+
+
+
+    // The results of an attempt that has ended on its way stay beside those of
+    // the next one, which may get less far.
+    void set_aside(const std::filesystem::path &directory,
+                   const bool                   has_results)
+    {
+      const auto aside = directory / first_attempt;
+      std::filesystem::remove_all(aside);
+      if (!has_results)
+        return;
+      std::filesystem::create_directory(aside);
+      for (const auto &file : std::filesystem::directory_iterator(directory))
+        if (file.is_regular_file() &&
+            is_result_file(file.path().filename().string()))
+          std::filesystem::rename(file.path(), aside / file.path().filename());
+    }
+
+
+
+    // The last solution of a run, as far as it got.
+    double reached(const RunSummary &summary)
+    {
+      double t = 0;
+      for (const IncrementRecord &record : summary.increments)
+        if (record.converged)
+          t = record.load_factor;
+      return t;
+    }
+
+
+
     // A case that does not converge by the loops that it asks for is solved
     // once more, from the start, by others. If none converges, the result is
     // that of the last ones.
@@ -50,29 +86,49 @@ namespace Contact
                               const ParameterHandler &prm,
                               const SolveCase        &solve)
     {
+      const bool is_first_rank =
+        Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
       RunSummary      summary = solve(parameters, prm);
       Parameters::All same    = parameters;
       same.in_space           = summary.in_space;
       same.is_repeated        = true;
-      for (const Parameters::All &other :
+      double of_first         = 0; // the load factor that it got to
+      for (Parameters::All &other :
            same.with_other_loops(summary.n_displacements))
         {
           if (summary.converged || summary.interrupted ||
               !summary.may_try_again)
             break;
-          if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+          const std::string loops =
+            "Friction = " + other.solution.friction.name() +
+            ", Geometry = " + other.solution.geometry.name() +
+            ", System = " + other.solution.system.name() +
+            (other.has_levels() == parameters.has_levels()
+               ? ""
+               : ", Levels = 0, Refinements = " +
+                   std::to_string(other.mesh.refinements));
+          if (is_first_rank)
             std::cerr << parameters.name << ": " << summary.message
-                      << "\nOnce more from the start, with Friction = "
-                      << other.solution.friction.name()
-                      << ", Geometry = " << other.solution.geometry.name()
-                      << ", System = " << other.solution.system.name()
-                      << (other.has_levels() == parameters.has_levels()
-                            ? ""
-                            : ", Levels = 0, Refinements = " +
-                                std::to_string(other.mesh.refinements))
+                      << "\nOnce more from the start, with " << loops
                       << std::endl;
+          if (of_first == 0)
+            {
+              of_first = reached(summary);
+              if (is_first_rank)
+                set_aside(parameters.directory(), of_first > 0);
+            }
+          other.findings.push_back(
+            {"not solved by the loops and the system that the case asks for (" +
+               summary.message + "), this is an attempt with " + loops +
+               (of_first > 0 ? "; results up to t = " + brief(of_first) +
+                                 " of one before are in " + first_attempt
+                             : ""),
+             /*is_violated=*/false,
+             parameters.name});
           summary = solve(other, prm);
         }
+      if (is_first_rank && summary.converged)
+        std::filesystem::remove_all(parameters.directory() / first_attempt);
       return summary;
     }
 
@@ -199,6 +255,11 @@ namespace Contact
                    cases[i].output.screen != Parameters::Screen::none)
             cases[i].output.screen = Parameters::Screen::table;
           cases[i].check();
+          if (line.restart && has_converged(cases[i].directory()))
+            throw InputError("the run in '" + cases[i].directory().string() +
+                               "' has converged: it has nothing to go on from",
+                             "command line, --restart",
+                             "leave out --restart to compute it anew");
         }
       note_signals();
 

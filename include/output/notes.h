@@ -21,9 +21,17 @@ namespace Contact
   Findings notes_on_scene(const ContactModel<dim> &model,
                           const Parameters::All   &parameters);
 
+  /// Whether bodies in small strain are beyond its range, by the edges of their
+  /// cells; strains within cells are larger. A sentence, or nothing. Units that
+  /// do not fit together show as thousands of per cent. Collective.
+  template<int dim>
+  std::string beyond_small_strain(const ContactModel<dim> &model,
+                                  const GhostedVector     &solution);
+
   /// Likely mistakes in a result: that nothing is loaded or nothing
-  /// touches, or that round boundaries are off their circle by as much as
-  /// matters; and that another element would be solved faster.
+  /// touches, that strains are large, or that round boundaries are off their
+  /// circle by as much as matters; and that another element would be solved
+  /// faster.
   template<int dim>
   Findings notes_on_result(const ContactModel<dim> &model,
                            const Parameters::All   &parameters,

@@ -13,14 +13,22 @@
 
 #include "base/all_ranks.h"
 #include "base/files.h"
-#include "output/vtu/body_grids.h"
 #include "output/contact_grid.h"
 #include "output/node_table.h"
+#include "output/vtu/body_grids.h"
 
 namespace Contact
 {
   namespace
   {
+    // The names of files as regular expressions.
+    const std::string series_and_tables =
+      "(bodies|contact)[.]pvd|(history|profile|nodes)[.]csv";
+    const std::string of_increments =
+      "(bodies|contact)_[0-9._]+p?vtu|restart[0-9._]*bin";
+
+
+
     /// The unit of a force in the name of a column: one by thickness, or of a
     /// whole ring, or in 3-D.
     template<int dim>
@@ -109,6 +117,15 @@ namespace Contact
 
 
 
+  bool is_result_file(const std::string &name)
+  {
+    return std::regex_match(name,
+                            std::regex(series_and_tables + "|" + of_increments +
+                                       "|summary[.]json|parameters[.]prm"));
+  }
+
+
+
   template<int dim>
   ResultFiles<dim>::ResultFiles(const std::filesystem::path &directory,
                                 const Discretization<dim>   &discretization)
@@ -124,7 +141,7 @@ namespace Contact
   template<int dim>
   void ResultFiles<dim>::remove_series() const
   {
-    remove("(bodies|contact)[.]pvd|(history|profile|nodes)[.]csv");
+    remove(series_and_tables);
   }
 
 
@@ -132,7 +149,7 @@ namespace Contact
   template<int dim>
   void ResultFiles<dim>::remove_increments() const
   {
-    remove("(bodies|contact)_[0-9._]+p?vtu|restart[0-9._]*bin");
+    remove(of_increments);
   }
 
 

@@ -19,6 +19,12 @@ namespace Contact
 {
   using namespace dealii;
 
+  /// Whether a file in the directory of a case has the name of one that a run
+  /// writes, besides log.txt.
+  bool is_result_file(const std::string &name);
+
+
+
   /**
    * The files of one run for ParaView and for curves: two series, of the
    * bodies and of the slave surfaces, and the profiles of all surfaces. Both

@@ -300,6 +300,37 @@ namespace Contact
 
 
   template<int dim>
+  std::string beyond_small_strain(const ContactModel<dim> &model,
+                                  const GhostedVector     &solution)
+  {
+    const double large_strain = 0.05;
+    const auto  &dofs         = model.discretization->vertex_dofs;
+    double       largest      = 0;
+    for (const auto &cell : model.mesh->triangulation.active_cell_iterators())
+      if (cell->is_locally_owned() &&
+          model.elasticity->is_small_strain(cell->material_id()))
+        for (const unsigned int edge : cell->line_indices())
+          {
+            const auto     line = cell->line(edge);
+            Tensor<1, dim> X = line->vertex(1) - line->vertex(0), x = X;
+            for (unsigned int c = 0; c < dim; ++c)
+              x[c] += solution[dofs[line->vertex_index(1)][c]] -
+                      solution[dofs[line->vertex_index(0)][c]];
+            largest = std::max(largest, std::abs(x.norm() / X.norm() - 1));
+          }
+    largest = Utilities::MPI::max(largest, model.discretization->communicator);
+    return largest > large_strain
+             ? "edges of cells change their length by up to " +
+                 brief(100 * largest) +
+                 " %, beyond the range of small strain (Solids/Kinematics). If "
+                 "that is not meant, check the units: moduli in MPa, lengths in "
+                 "mm, loads in N"
+             : "";
+  }
+
+
+
+  template<int dim>
   Findings notes_on_result(const ContactModel<dim> &model,
                            const Parameters::All   &parameters,
                            const GhostedVector     &solution,
@@ -307,6 +338,7 @@ namespace Contact
   {
     Findings findings;
     add_note_on_solver(parameters, model, findings);
+    findings.push_back({beyond_small_strain(model, solution)});
     if (!model.interface)
       return findings;
     add_notes_on_roundness(parameters, model, solution, findings);
@@ -321,12 +353,16 @@ namespace Contact
     return findings;
   }
 
-  template Findings notes_on_result(const ContactModel<2> &,
-                                    const Parameters::All &,
-                                    const GhostedVector &,
-                                    const RunSummary &);
-  template Findings notes_on_result(const ContactModel<3> &,
-                                    const Parameters::All &,
-                                    const GhostedVector &,
-                                    const RunSummary &);
+  template std::string beyond_small_strain(const ContactModel<2> &,
+                                           const GhostedVector &);
+  template std::string beyond_small_strain(const ContactModel<3> &,
+                                           const GhostedVector &);
+  template Findings    notes_on_result(const ContactModel<2> &,
+                                       const Parameters::All &,
+                                       const GhostedVector &,
+                                       const RunSummary &);
+  template Findings    notes_on_result(const ContactModel<3> &,
+                                       const Parameters::All &,
+                                       const GhostedVector &,
+                                       const RunSummary &);
 } // namespace Contact

@@ -10,6 +10,7 @@
 #include "contact/results/contact_depth.h"
 #include "output/notes.h"
 #include "parameters/formula.h"
+#include "solvers/rigid_pieces/rigid_body_modes.h"
 
 namespace Contact
 {
@@ -198,6 +199,34 @@ namespace Contact
 
 
 
+    // As if all touched that face each other. In the solution normals have
+    // turned a little, and seem to hold what slides over the waves.
+    template<int dim>
+    void add_notes_on_friction(const ContactModel<dim> &model,
+                               Findings                &findings)
+    {
+      ContactInterface<dim> &interface = *model.interface;
+      const auto             statuses  = interface.active_set.statuses();
+      auto                   touching  = statuses;
+      for (unsigned int k = 0; k < touching.size(); ++k)
+        touching[k].kind =
+          interface.points()[k].facing ? Status::stick : Status::open;
+      interface.active_set.set_statuses(touching);
+      const auto held_by = [&](const Tangents tangents) {
+        return rigid_body_modes<dim>(*model.discretization,
+                                     &interface,
+                                     tangents);
+      };
+      if (held_by(Tangents::stuck).empty())
+        for (const RigidBodyMode &motion : held_by(Tangents::free))
+          findings.push_back({"friction alone holds " +
+                              model.mesh->piece_name(motion.piece) +
+                              " against: " + motion.name});
+      interface.active_set.set_statuses(statuses);
+    }
+
+
+
     // A press fit may be drawn so; a body in a wrong place is, too.
     template<int dim>
     void add_notes_on_overlaps(const ContactModel<dim> &model,
@@ -320,6 +349,7 @@ namespace Contact
       add_notes_on_arcs(parameters, model, contact_pair, findings);
     add_notes_on_facing(parameters, *model.interface, findings);
     add_notes_on_overlaps(model, findings);
+    add_notes_on_friction(model, findings);
     add_notes_on_glue(parameters, *model.interface, findings);
     add_notes_on_roles(parameters, model, findings);
     return findings;

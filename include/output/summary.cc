@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -362,5 +363,14 @@ namespace Contact
                                  /*ensure_ascii=*/false,
                                  Json::error_handler_t::replace)
         << '\n';
+  }
+
+
+
+  bool has_converged(const std::filesystem::path &directory)
+  {
+    std::ifstream file(directory / "summary.json");
+    const auto summary = Json::parse(file, nullptr, /*allow_exceptions=*/false);
+    return summary.is_object() && summary.value("converged", false);
   }
 } // namespace Contact

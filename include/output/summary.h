@@ -9,6 +9,7 @@
 #include <deal.II/base/tensor.h>
 #include <deal.II/base/timer.h>
 
+#include <filesystem>
 #include <iosfwd>
 #include <map>
 #include <optional>
@@ -228,6 +229,10 @@ namespace Contact
 
   /// The largest resident memory of this process so far [MB = 2^20 bytes].
   double peak_memory_mb();
+
+  /// Whether the last run that has left its summary in a directory has
+  /// converged.
+  bool has_converged(const std::filesystem::path &directory);
 
   /// Write a summary as JSON.
   void write_summary(const RunSummary &summary, std::ostream &out);

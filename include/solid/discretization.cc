@@ -189,23 +189,6 @@ namespace Contact
 
 
   template<int dim>
-  void Discretization<dim>::distribute(const AffineConstraints<double> &lines,
-                                       GhostedVector                   &u) const
-  {
-    for (const auto &line : lines.get_lines())
-      if (distribution->in_local_range(line.index))
-        {
-          double value = line.inhomogeneity;
-          for (const auto &[dof, coefficient] : line.entries)
-            value += coefficient * u[dof];
-          u[line.index] = value;
-        }
-    u.update_ghosts();
-  }
-
-
-
-  template<int dim>
   DistributedVector
   Discretization<dim>::distributed(const GhostedVector &solution) const
   {

@@ -138,10 +138,6 @@ namespace Contact
     /// cells of this rank and their neighbors alone. Collective.
     DistributedVector distributed(const GhostedVector &solution) const;
 
-    /// Set the unknowns of @p u that @p lines constrain. A rank knows the
-    /// constraints of its own unknowns, not those of all others. Collective.
-    void distribute(const AffineConstraints<double> &lines,
-                    GhostedVector                   &u) const;
 
     /// Set the constrained unknowns at the beginning of @p v, a change under
     /// which supports rest: zero, or as the unknowns that they follow.

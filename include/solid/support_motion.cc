@@ -106,7 +106,7 @@ namespace Contact
     if (updates_vanish)
       return;
     GhostedVector move(distribution);
-    distribute(constraints, move);
+    this->distribute(constraints, move);
     std::transform(move.begin(),
                    move.end(),
                    u.begin(),

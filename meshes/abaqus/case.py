@@ -102,6 +102,7 @@ class Case:
             obstacle.entries(self, section)
         probes.put_probes(self)
         self.put("Output", "VTU", "true")
+        self.put("Output", "Profile", "true")
         entries = self.entries.get("Boundary conditions", {})
         if "Histories" in entries:  # behind all others
             entries["Histories"] = entries.pop("Histories")

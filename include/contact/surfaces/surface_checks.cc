@@ -137,6 +137,10 @@ namespace Contact
       for (const SurfaceNode<dim> &node : master->nodes)
         on_master.insert(node.dofs.begin(), node.dofs.end());
 
+    const bool all_is_rigid =
+      std::all_of(on_slave.begin(), on_slave.end(), [&](const auto &of_node) {
+        return discretization.is_rigid(of_node.first);
+      });
     for (const auto &[dof, node] : on_slave)
       if (discretization.is_rigid(dof))
         throw InputError(
@@ -144,9 +148,10 @@ namespace Contact
             brief(slave.nodes[node].X) +
             ") mm is on a rigid boundary: it would be held twice",
           "Boundary conditions/Rigid, " + parameters.section() + "/Slave",
-          "take the rigid surface as master, or name the point "
-          "in '" +
-            parameters.section() + "/Excluded points'");
+          all_is_rigid ? "take the rigid surface as master"
+                       : "let the slave end before the rigid boundary, or "
+                         "name that point in '" +
+                           parameters.section() + "/Excluded points'");
 
     const auto check = [&](const types::global_dof_index own,
                            const types::global_dof_index other) {

@@ -27,8 +27,8 @@ namespace Contact
 
   template<int dim>
   ContactElimination<dim>::ContactElimination(
-    const Discretization<dim>   &discretization,
-    const ContactInterface<dim> *interface)
+    const DiscretizedBodies<dim> &discretization,
+    const ContactInterface<dim>  *interface)
     : discretization(discretization)
     , interface(interface)
     , rows(slave_dofs)

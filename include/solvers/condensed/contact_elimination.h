@@ -8,8 +8,8 @@
 
 #include <functional>
 
+#include "bodies/discretized_bodies.h"
 #include "contact/interface/contact_interface.h"
-#include "solid/discretization.h"
 #include "solvers/condensed/contradiction.h"
 #include "solvers/condensed/multiplier_recovery.h"
 #include "solvers/condensed/pairing_stiffness.h"
@@ -51,8 +51,8 @@ namespace Contact
     using Dofs = std::vector<Dof>;
 
     /// @p interface may be null: then there is nothing to eliminate.
-    ContactElimination(const Discretization<dim>   &discretization,
-                       const ContactInterface<dim> *interface);
+    ContactElimination(const DiscretizedBodies<dim> &discretization,
+                       const ContactInterface<dim>  *interface);
 
     /// The unknowns of the slave nodes of all points: those that are eliminated
     /// as a rule.
@@ -175,8 +175,8 @@ namespace Contact
               const Row               &test_row,
               const double             smallest) const;
 
-    const Discretization<dim>   &discretization;
-    const ContactInterface<dim> *interface;
+    const DiscretizedBodies<dim> &discretization;
+    const ContactInterface<dim>  *interface;
 
     AffineConstraints<double> lines, test_lines;
     Dofs                      eliminated;

@@ -6,6 +6,7 @@
 #ifndef contact_interface_couplings_h
 #define contact_interface_couplings_h
 
+#include "solid/discretization.h"
 #include "solvers/condensed/contact_elimination.h"
 
 namespace Contact

@@ -16,10 +16,10 @@ namespace Contact
 {
   template<int dim>
   MultiplierRecovery<dim>::MultiplierRecovery(
-    const Discretization<dim>   &discretization,
-    const ContactInterface<dim> &interface,
-    const std::vector<Dof>      &eliminated,
-    const std::vector<Turned>   &turned)
+    const DiscretizedBodies<dim> &discretization,
+    const ContactInterface<dim>  &interface,
+    const std::vector<Dof>       &eliminated,
+    const std::vector<Turned>    &turned)
     : discretization(discretization)
     , points(interface.points())
     , interface(interface)

@@ -6,7 +6,7 @@
 #ifndef contact_multiplier_recovery_h
 #define contact_multiplier_recovery_h
 
-#include "solid/discretization.h"
+#include "bodies/discretized_bodies.h"
 #include "solvers/condensed/slip_direction_stiffness.h"
 
 namespace Contact
@@ -34,8 +34,8 @@ namespace Contact
 
     /// @p eliminated: what the points eliminate; @p turned: by point, what is
     /// known of the shear besides its bound.
-    MultiplierRecovery(const Discretization<dim>   &discretization,
-                       const ContactInterface<dim> &interface,
+    MultiplierRecovery(const DiscretizedBodies<dim> &discretization,
+                       const ContactInterface<dim>  &interface,
                        const std::vector<types::global_dof_index> &eliminated,
                        const std::vector<Turned>                  &turned);
 
@@ -105,7 +105,7 @@ namespace Contact
     static Vector<double> least_squares(const std::vector<Equation> &system,
                                         const unsigned int           n);
 
-    const Discretization<dim>            &discretization;
+    const DiscretizedBodies<dim>         &discretization;
     const std::vector<ContactPoint<dim>> &points;
     const ContactInterface<dim>          &interface;
     const std::vector<Turned>             turned;

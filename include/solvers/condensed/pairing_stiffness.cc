@@ -173,7 +173,7 @@ namespace Contact
   template<int dim>
   std::vector<PairingStiffness<dim>> PairingStiffness<dim>::at_owners(
     const std::vector<PairingStiffness<dim>> &terms,
-    const Discretization<dim>                &discretization)
+    const DiscretizedBodies<dim>             &discretization)
   {
     const UnknownOwners owners(discretization.dof_handler.locally_owned_dofs(),
                                discretization.communicator);

@@ -8,8 +8,8 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include "bodies/discretized_bodies.h"
 #include "contact/interface/contact_interface.h"
-#include "solid/discretization.h"
 
 namespace Contact
 {
@@ -53,7 +53,7 @@ namespace Contact
     /// Those of all ranks, on the one that owns the slave node. Collective.
     static std::vector<PairingStiffness>
     at_owners(const std::vector<PairingStiffness> &terms,
-              const Discretization<dim>           &discretization);
+              const DiscretizedBodies<dim>        &discretization);
 
     template<class Archive>
     void serialize(Archive &archive, const unsigned int);

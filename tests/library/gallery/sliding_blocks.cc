@@ -208,9 +208,10 @@ namespace SlidingBlocks
                                                      {"Ground", {ground}}},
       problem.youngs_moduli);
     Contact::Parameters::Contact pair;
-    pair.slave                = "Sole";
-    pair.master               = "Ground";
-    pair.friction_coefficient = problem.friction;
+    pair.slave                  = "Sole";
+    pair.master                 = "Ground";
+    pair.friction_coefficient   = problem.friction;
+    pair.augmentation_parameter = 1; // of stiffness by size
     contact = std::make_unique<Contact::ContactInterface<dim>>(
       *bodies,
       *bodies,

@@ -1,0 +1,99 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a run says of its scene beside the values.
+
+Proves that a body that friction alone holds is named, and with the fixed point
+over Tresca's friction as well, and one that a support holds is not; that units
+that do not fit together are a remark, with a result and without one; that where
+two attempts end on their way the results of the first one are kept, and the
+summary tells of both; that --restart of a run that has converged is an error that
+leaves its results; that the remedy for a rigid boundary that meets the slave
+depends on how much of it they share.
+
+Usage: remarks.py CONTACT
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+
+from block_scenes import Mesh, box, check, contact, failures, run, solve
+
+mesh = Mesh()
+mesh.block("Foundation", 12, 4, box(-3, -2, 3, 0),
+           {"bottom": "Base", "top": "Ground"})
+mesh.block("Block", 5, 3, box(-1, 0, 1, 1),
+           {"bottom": "Sole", "top": "Head", "left": "Side"})
+mesh.write("remarks")
+
+PRESSURE, FRICTION = 10, 0.3  # 2 mm of the sole: 6 N/mm hold it
+scene = {
+    "Mesh/File": "remarks.msh",
+    "Solids/Young's modulus": "Foundation: 70000, Block: 210000",
+    "Solids/Poisson's ratio": "Foundation: 0.3, Block: 0.3",
+    "Solids/Kinematics": "small strain",
+    "Boundary conditions/Displacement x": "Base: 0",
+    "Boundary conditions/Displacement y": "Base: 0",
+    "Boundary conditions/Pressure": f"Head: {PRESSURE}",
+    "Boundary conditions/Traction x": "Head: 1",
+    "Boundary conditions/Histories": "Pressure: min(1, 4*t); Traction x: t",
+    "Contact/Slave": "Sole", "Contact/Master": "Ground",
+    "Contact/Friction coefficient": str(FRICTION),
+    "Solution/Increments": "4",
+    "Probes/Probes": "f: contact force x, Sole"}
+
+
+def texts(summary):
+    return [f["text"] for f in summary.get("findings", [])]
+
+
+HELD = "friction alone holds the body 'Block' against: displacement in x"
+for loop in "Newton", "fixed point":
+    status, said, summary = run("held", {**scene, "Solution/Friction": loop})
+    check(f"friction alone holds it, by {loop}",
+          status == 0 and texts(summary) == [HELD], said)
+case = pathlib.Path("held.prm")
+status, said, summary = solve(
+    case, "Boundary conditions/Displacement x=Base: 0, Side: 0")
+check("a support holds it", status == 0 and texts(summary) == [], said)
+
+before = pathlib.Path("output/held/summary.json").read_text()
+again = subprocess.run([contact, case, "--restart"], capture_output=True, text=True)
+check("nothing to go on from", again.returncode == 2 and
+      "has converged: it has nothing to go on from" in again.stderr and
+      before == pathlib.Path("output/held/summary.json").read_text(), again.stderr)
+
+# Moduli in GPa.
+UNITS = "check the units: moduli in MPa, lengths in mm, loads in N"
+status, said, summary = solve(
+    case, "Solids/Young's modulus=Foundation: 70, Block: 210")
+check("units of a result", status == 0 and any(UNITS in t for t in texts(summary)),
+      said)
+status, said, summary = solve(
+    case, "Solids/Young's modulus=Foundation: 0.7, Block: 0.21",
+    "Solution/Max cut-backs=0", "Solution/Increments=1")
+check("units where there is none", status == 3 and UNITS in summary["message"], said)
+
+# The block is dragged off at a traction of mu times the pressure.
+status, said, summary = solve(case, "Boundary conditions/Traction x=Head: 6",
+                              "Output/Profile=true")
+kept = pathlib.Path("output/held/first_attempt")
+first = json.loads((kept / "summary.json").read_text()) if kept.is_dir() else {}
+reached = max([i["load_factor"] for i in first.get("increments", [])
+               if i["converged"]], default=0)
+check("two attempts", status == 3 and 0.25 <= reached <= 0.5 and
+      (kept / "history.csv").exists() and
+      any("not solved by the loops and the system that the case asks for" in t and
+          "are in first_attempt" in t for t in texts(summary)), (said, reached))
+status, said, summary = solve(case)
+check("a run that converges leaves no first attempt",
+      status == 0 and not kept.exists(), said)
+
+for boundary, remedy in (("Side", "let the slave end before the rigid boundary"),
+                         ("Sole", "take the rigid surface as master")):
+    status, said, _ = solve(case, "Mesh/Points=P: -0.2, 1",
+                            f"Boundary conditions/Rigid={boundary}: P")
+    check(f"the remedy where {boundary} is rigid",
+          status == 2 and remedy in said, said)
+sys.exit(len(failures) > 0)
