@@ -928,9 +928,11 @@ int main(int argc, char **argv)
         {
           return ContactProblem<2>(parameters, prm).run();
         }
-      catch (const MeshOfVolumes &)
+      catch (const MeshOfVolumes &mesh)
         {
-          return ContactProblem<3>(parameters.for_space(), prm).run();
+          return ContactProblem<3>(parameters.for_space(mesh.has_tetrahedra),
+                                   prm)
+            .run();
         }
     });
 }

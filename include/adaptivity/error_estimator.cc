@@ -28,14 +28,13 @@ namespace Contact
 
 
 
-    /// The rule of triangles of degree 1 has one point.
+    /// The rule of triangles and tetrahedra of degree 1 has one point.
     template<int dim>
     hp::QCollection<dim>
     quadratures_of_squares(const hp::QCollection<dim> &rules)
     {
-      if constexpr (dim == 2)
-        if (rules[1].size() == 1)
-          return hp::QCollection<2>(rules[0], QGaussSimplex<2>(2));
+      if (rules[1].size() == 1)
+        return hp::QCollection<dim>(rules[0], QGaussSimplex<dim>(2));
       return rules;
     }
 

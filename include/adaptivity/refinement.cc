@@ -17,6 +17,7 @@
 #include <numeric>
 
 #include "base/deal_ii_versions.h"
+#include "base/dimension.h"
 #include "base/errors.h"
 #include "solid/followers.h"
 
@@ -171,11 +172,14 @@ namespace Contact
   void check_adaptive(const Mesh<dim> &mesh)
   {
     if (!mesh.has_only_hypercubes())
-      throw InputError("the mesh has triangles, and cannot be refined "
-                       "adaptively",
+      throw InputError(std::string("the mesh has ") +
+                         Dimension<dim>::simplices +
+                         ", and cannot be refined adaptively",
                        "entry 'Refinement/Strategy'",
-                       "set 'Strategy = uniform', or take a mesh of "
-                       "quadrangles alone (as meshes/ssnp154_quads.msh)");
+                       std::string("set 'Strategy = uniform', or take a mesh "
+                                   "of ") +
+                         Dimension<dim>::hypercubes + " alone" +
+                         (dim == 2 ? " (as meshes/ssnp154_quads.msh)" : ""));
   }
 
 

@@ -33,6 +33,9 @@ namespace Contact
     static constexpr const char *facet  = "edge";
     static constexpr const char *extent = "width";
 
+    static constexpr const char *simplices  = "triangles";
+    static constexpr const char *hypercubes = "quadrangles";
+
     static constexpr const char *shapes_of_cells =
       "quadrangles have to be convex with four corners, triangles need an area";
   };
@@ -53,9 +56,12 @@ namespace Contact
     static constexpr const char *facet  = "face";
     static constexpr const char *extent = "area";
 
+    static constexpr const char *simplices  = "tetrahedra";
+    static constexpr const char *hypercubes = "hexahedra";
+
     static constexpr const char *shapes_of_cells =
       "at each corner of a hexahedron the three edges have to span a volume, of "
-      "one orientation";
+      "one orientation; tetrahedra need a volume";
   };
 } // namespace Contact
 

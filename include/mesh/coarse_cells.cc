@@ -9,6 +9,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/dimension.h"
@@ -47,12 +48,29 @@ namespace Contact
       return areas;
     }
 
+    /// The same of a tetrahedron, whose corners are alike.
+    double volume_of_tetrahedron(const std::vector<Point<3>> &points,
+                                 const Corners               &corners)
+    {
+      std::array<Tensor<1, 3>, 3> edges;
+      double                      scale = 0;
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          edges[i] = points[corners[i + 1]] - points[corners[0]];
+          scale    = std::max(scale, edges[i].norm_square());
+        }
+      return cross_product_3d(edges[0], edges[1]) * edges[2] /
+             std::pow(scale, 1.5);
+    }
+
     template<>
     std::vector<double> corner_volumes<3>(const std::vector<Point<3>> &points,
                                           const Corners               &corners)
     {
       std::vector<double> volumes;
       double              scale = 0;
+      if (corners.size() == 4)
+        return {volume_of_tetrahedron(points, corners)};
       for (unsigned int i = 0; i < 8; ++i)
         {
           const unsigned int layer  = i / 4 * 4;
@@ -75,12 +93,15 @@ namespace Contact
 
 
     /// Turn a cell of the other orientation round: its corners in the opposite
-    /// sense, or its top for its bottom.
+    /// sense, two of a tetrahedron exchanged, or the top of a hexahedron for
+    /// its bottom.
     template<int dim>
     void turn_round(Corners &corners)
     {
-      if constexpr (dim == 2)
+      if (dim == 2)
         std::reverse(corners.begin(), corners.end());
+      else if (corners.size() == 4)
+        std::swap(corners[0], corners[1]);
       else
         std::rotate(corners.begin(), corners.begin() + 4, corners.end());
     }

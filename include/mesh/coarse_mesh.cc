@@ -16,7 +16,7 @@ namespace Contact
   namespace
   {
     /// A face of a cell by its vertices, in ascending order: an edge in
-    /// 2-D, a quadrangle in 3-D.
+    /// 2-D, a triangle or a quadrangle in 3-D.
     using Face = std::vector<unsigned int>;
 
     using Corners = decltype(CellData<2>::vertices);
@@ -39,6 +39,11 @@ namespace Contact
     template<>
     std::vector<Face> faces_of<3>(const Corners &c)
     {
+      if (c.size() == 4)
+        return {{c[0], c[1], c[2]},
+                {c[0], c[1], c[3]},
+                {c[0], c[2], c[3]},
+                {c[1], c[2], c[3]}};
       std::vector<Face> faces = {{c[0], c[1], c[2], c[3]},
                                  {c[4], c[5], c[6], c[7]}};
       for (unsigned int i = 0; i < 4; ++i)
@@ -148,9 +153,12 @@ namespace Contact
 
 
     /// Half-way round a face from the first of the @p corners: what is opposite
-    /// of it in a quadrangle, and the other end of an edge.
+    /// of it in a quadrangle, and the other end of an edge. Triangles have no
+    /// such corner.
     unsigned int opposite_of_first(const Face &corners, const Face &round)
     {
+      if (round.size() % 2 == 1)
+        return numbers::invalid_unsigned_int;
       const auto first = std::find(round.begin(), round.end(), corners[0]);
       return round[(first - round.begin() + round.size() / 2) % round.size()];
     }
@@ -217,9 +225,9 @@ namespace Contact
       std::vector<unsigned int> corners;
       for (const long node : element.nodes)
         corners.push_back(vertices.at(node));
-      if constexpr (dim == 2)
+      if (dim == 2)
         std::sort(corners.begin(), corners.end());
-      else
+      else if (corners.size() == 4)
         std::swap(corners[2], corners[3]);
       return corners;
     }
@@ -268,10 +276,12 @@ namespace Contact
     {
       std::set<Face> edges;
       for (const auto &[sorted, face] : faces)
-        for (unsigned int i = 0; face.n_cells == 1 && i < 4; ++i)
+        for (unsigned int i = 0, n = face.corners.size();
+             face.n_cells == 1 && i < n;
+             ++i)
           {
             const unsigned int a = face.corners[i],
-                               b = face.corners[(i + 1) % 4];
+                               b = face.corners[(i + 1) % n];
             edges.insert({std::min(a, b), std::max(a, b)});
           }
       return edges;
@@ -322,6 +332,33 @@ namespace Contact
 
 
 
+    /// Hexahedra and tetrahedra share no nodes: the face of a hexahedron would
+    /// be none of a tetrahedron.
+    template<int dim>
+    void check_kinds(const MshFile         &msh,
+                     const VertexNumbers   &vertices,
+                     const CoarseMesh<dim> &coarse)
+    {
+      if (dim == 2)
+        return;
+      std::vector<std::size_t> n_corners(vertices.size(), 0);
+      for (const auto &element : msh.elements[dim])
+        for (const long node : element.nodes)
+          {
+            const unsigned int v = vertices.at(node);
+            if (n_corners[v] != 0 && n_corners[v] != element.nodes.size())
+              throw InputError("a hexahedron and a tetrahedron share the node "
+                               "at " +
+                                 to_string(coarse.vertices[v]),
+                               msh.where(element),
+                               "mesh all that is joined with tetrahedra, or "
+                               "all with hexahedra");
+            n_corners[v] = element.nodes.size();
+          }
+    }
+
+
+
     std::map<std::string, unsigned int>
     find_points(const MshFile &msh, const VertexNumbers &vertices)
     {
@@ -346,6 +383,7 @@ namespace Contact
     CoarseMesh<dim> coarse;
     const auto      vertices = number_vertices<dim>(msh);
     coarse.vertices          = vertex_points<dim>(msh, vertices);
+    check_kinds(msh, vertices, coarse);
     coarse.cells     = make_cells(msh, vertices, coarse.vertices, bodies);
     const auto faces = count_faces(coarse.cells, coarse.vertices, msh);
     number_boundaries(msh, vertices, faces, coarse);

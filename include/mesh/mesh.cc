@@ -30,35 +30,23 @@ namespace Contact
     /**
      * Put the cells as deal.II wants them: its corners are in lexicographic
      * order, and cells have to agree on the direction of the edges they share,
-     * which triangles need not: they come last. Otherwise refinement would
-     * invert cells.
+     * which triangles and tetrahedra need not: they come last. Otherwise
+     * refinement would invert cells.
      */
     template<int dim>
     void order_cells(std::vector<CellData<dim>> &cells)
     {
-      const auto triangles =
+      const auto simplices =
         std::stable_partition(cells.begin(), cells.end(), [](const auto &cell) {
           return cell.vertices.size() == GeometryInfo<dim>::vertices_per_cell;
         });
-      std::vector<CellData<dim>> hypercubes(cells.begin(), triangles);
+      std::vector<CellData<dim>> hypercubes(cells.begin(), simplices);
       for (auto &cell : hypercubes)
         for (unsigned int layer = 0; layer < cell.vertices.size(); layer += 4)
           std::swap(cell.vertices[layer + 2], cell.vertices[layer + 3]);
       if (!hypercubes.empty())
         GridTools::consistently_order_cells(hypercubes);
       std::copy(hypercubes.begin(), hypercubes.end(), cells.begin());
-    }
-
-
-
-    bool has_triangles(const MshFile &msh)
-    {
-      return msh.dimension() == 2 &&
-             std::any_of(msh.elements[2].begin(),
-                         msh.elements[2].end(),
-                         [](const auto &cell) {
-                           return cell.nodes.size() == 3;
-                         });
     }
 
 
@@ -72,10 +60,10 @@ namespace Contact
     {
       if (Utilities::MPI::n_mpi_processes(communicator) == 1)
         return std::make_unique<Triangulation<dim>>(
-          has_triangles(msh)
+          msh.has_simplices()
             ? Triangulation<dim>::none
             : Triangulation<dim>::limit_level_difference_at_vertices);
-      if (has_triangles(msh))
+      if (msh.has_simplices())
         return std::make_unique<parallel::shared::Triangulation<dim>>(
           communicator,
           Triangulation<dim>::none,
@@ -267,7 +255,7 @@ namespace Contact
     , triangulation(*owned_triangulation)
   {
     if (msh.dimension() > dim)
-      throw MeshOfVolumes();
+      throw MeshOfVolumes{msh.has_simplices()};
     if (msh.dimension() != dim)
       throw InputError("the mesh has no volumes",
                        msh.name,

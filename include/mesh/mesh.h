@@ -29,6 +29,7 @@ namespace Contact
   /// one in 3-D.
   struct MeshOfVolumes
   {
+    bool has_tetrahedra;
   };
 
 
@@ -65,11 +66,11 @@ namespace Contact
   public:
     /**
      * Read a gmsh file in MSH format 2.2 or 4.1, ASCII, with physical names.
-     * Quadrangles and triangles may be mixed, in 3-D there are hexahedra; of
-     * elements of second order only the corners are used; left-handed cells are
-     * turned round; faces inside a body are ignored. Bodies are moved and the
-     * whole is placed, round boundaries get their manifold, then the mesh is
-     * refined.
+     * Quadrangles and triangles may be mixed, hexahedra and tetrahedra if they
+     * share no nodes; of elements of second order only the corners are used;
+     * left-handed cells are turned round; faces inside a body are ignored.
+     * Bodies are moved and the whole is placed, round boundaries get their
+     * manifold, then the mesh is refined.
      * Throws InputError.
      */
     explicit Mesh(const Parameters::Mesh &parameters,
@@ -89,8 +90,8 @@ namespace Contact
     /**
      * On one rank a Triangulation. On several, quadrangles (hexahedra) alone
      * make a parallel::distributed one (p4est), of which a rank has its own
-     * cells and their neighbors; a mesh with triangles a parallel::shared one,
-     * of which every rank has all cells.
+     * cells and their neighbors; a mesh with triangles (tetrahedra) a
+     * parallel::shared one, of which every rank has all cells.
      */
     Triangulation<dim>                                 &triangulation;
     std::map<std::string, types::material_id>           bodies;
@@ -136,7 +137,8 @@ namespace Contact
     /// The vertices of the coarse mesh on a boundary, curve or point group.
     std::set<unsigned int> coarse_vertices(const std::string &name) const;
 
-    /// Whether there are no triangles, so that cells can be refined one by one.
+    /// Whether there are no triangles and no tetrahedra, so that cells can be
+    /// refined one by one.
     bool has_only_hypercubes() const
     {
       return triangulation.all_reference_cells_are_hyper_cube();

@@ -11,27 +11,30 @@ namespace Contact
 {
   namespace
   {
-    /// The corners of the edges and faces of a hexahedron, in the order of the
+    using Sides = std::vector<std::vector<unsigned int>>;
+
+    /// The corners of the edges and faces of a volume, in the order of the
     /// nodes on their middles.
-    const std::vector<std::vector<unsigned int>> hexahedron_sides = {
-      {0, 1},
-      {0, 3},
-      {0, 4},
-      {1, 2},
-      {1, 5},
-      {2, 3},
-      {2, 6},
-      {3, 7},
-      {4, 5},
-      {4, 7},
-      {5, 6},
-      {6, 7},
-      {0, 1, 2, 3},
-      {0, 1, 4, 5},
-      {0, 3, 4, 7},
-      {1, 2, 5, 6},
-      {2, 3, 6, 7},
-      {4, 5, 6, 7}};
+    const Sides tetrahedron_sides =
+      {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}};
+    const Sides hexahedron_sides = {{0, 1},
+                                    {0, 3},
+                                    {0, 4},
+                                    {1, 2},
+                                    {1, 5},
+                                    {2, 3},
+                                    {2, 6},
+                                    {3, 7},
+                                    {4, 5},
+                                    {4, 7},
+                                    {5, 6},
+                                    {6, 7},
+                                    {0, 1, 2, 3},
+                                    {0, 1, 4, 5},
+                                    {0, 3, 4, 7},
+                                    {1, 2, 5, 6},
+                                    {2, 3, 6, 7},
+                                    {4, 5, 6, 7}};
   } // namespace
 
 
@@ -42,13 +45,15 @@ namespace Contact
                      const std::vector<long>           &nodes,
                      std::map<std::vector<long>, long> &mid_sides)
   {
+    const Sides &of_volume =
+      n_corners == 4 ? tetrahedron_sides : hexahedron_sides;
     const unsigned int n_sides =
-      dimension == 3 ? hexahedron_sides.size() : dimension * n_corners / 2;
+      dimension == 3 ? of_volume.size() : dimension * n_corners / 2;
     for (unsigned int s = 0; s < n_sides && n_corners + s < nodes.size(); ++s)
       {
         std::vector<long> corners;
         if (dimension == 3)
-          for (const unsigned int corner : hexahedron_sides[s])
+          for (const unsigned int corner : of_volume[s])
             corners.push_back(nodes[corner]);
         else
           corners = {nodes[s], nodes[(s + 1) % n_corners]};

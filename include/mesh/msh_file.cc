@@ -31,12 +31,14 @@ namespace Contact
                                                       {3, {2, 4, 4}},
                                                       {16, {2, 8, 4}},
                                                       {10, {2, 9, 4}},
+                                                      {4, {3, 4, 4}},
+                                                      {11, {3, 10, 4}},
                                                       {5, {3, 8, 8}},
                                                       {17, {3, 20, 8}},
                                                       {12, {3, 27, 8}}};
 
-    /// Those of tetrahedra, prisms and pyramids of first and second order.
-    const std::set<int> other_volumes = {4, 6, 7, 11, 13, 14, 18, 19};
+    /// Those of prisms and pyramids of first and second order.
+    const std::set<int> other_volumes = {6, 7, 13, 14, 18, 19};
 
 
 
@@ -90,18 +92,18 @@ namespace Contact
       const int  number = lines.read<int>("the type of an element");
       const auto type   = element_types.find(number);
       if (other_volumes.count(number) > 0)
-        lines.fail("tetrahedra, prisms and pyramids are not supported (gmsh "
-                   "elements of type " +
+        lines.fail("prisms and pyramids are not supported (gmsh elements of "
+                   "type " +
                      std::to_string(number) + ")",
-                   "mesh volumes with hexahedra: extrude recombined surfaces "
-                   "with 'Recombine', use transfinite volumes, or set "
-                   "Mesh.SubdivisionAlgorithm = 2");
+                   "mesh volumes with tetrahedra, or with hexahedra: extrude "
+                   "recombined surfaces with 'Recombine', use transfinite "
+                   "volumes, or set Mesh.SubdivisionAlgorithm = 2");
       if (type == element_types.end())
         lines.fail("gmsh elements of type " + std::to_string(number) +
                      " are not supported",
                    "mesh a surface (gmsh -2) with lines, triangles and "
                    "quadrangles of first or second order, or a volume (gmsh "
-                   "-3) with hexahedra");
+                   "-3) with tetrahedra or hexahedra");
       return type->second;
     }
 
@@ -330,7 +332,7 @@ namespace Contact
 
 
     /// Every node in use exists, those of plane cells lie in a plane, and
-    /// volumes are bounded by quadrangles.
+    /// hexahedra are bounded by quadrangles.
     void MshReader::check_nodes() const
     {
       const auto check = [&](const long node, const long number) {
@@ -349,7 +351,7 @@ namespace Contact
       if (msh.dimension() == 3)
         {
           for (const auto &face : msh.elements[2])
-            if (face.nodes.size() != 4)
+            if (face.nodes.size() != 4 && !msh.has_simplices())
               throw InputError("a triangle is no face of a hexahedron",
                                msh.where(face),
                                "recombine the surfaces that bound volumes");

@@ -159,7 +159,8 @@ namespace Contact
    */
   struct MshFile
   {
-    /// A point, a line, a triangle, a quadrangle or a hexahedron.
+    /// A point, a line, a triangle, a quadrangle, a hexahedron or a
+    /// tetrahedron.
     struct Element
     {
       /// gmsh's number, for messages.
@@ -198,6 +199,15 @@ namespace Contact
       return elements[3].empty() ? 2 : 3;
     }
 
+    /// Whether there are triangles (2-D) or tetrahedra among the cells.
+    bool has_simplices() const
+    {
+      const auto &cells = elements[dimension()];
+      return std::any_of(cells.begin(), cells.end(), [&](const auto &cell) {
+        return cell.nodes.size() == dimension() + 1;
+      });
+    }
+
     /// The place of an element, for messages.
     std::string where(const Element &element) const
     {
@@ -211,9 +221,9 @@ namespace Contact
    * Read a gmsh file in MSH format 2.2 or 4.1, ASCII. Sections which are not
    * needed are skipped. Throws InputError with file and line if the file can
    * not be read, is of another format, is incomplete, or has elements other
-   * than points, lines, triangles, quadrangles and hexahedra of first or second
-   * order, nodes which do not exist, plane cells out of a plane of constant z,
-   * no named body, or groups without elements.
+   * than points, lines, triangles, quadrangles, hexahedra and tetrahedra of
+   * first or second order, nodes which do not exist, plane cells out of a plane
+   * of constant z, no named body, or groups without elements.
    */
   MshFile read_msh(const std::string &file);
 } // namespace Contact

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 
 #include "base/errors.h"
@@ -126,6 +127,51 @@ namespace Contact
 
 
 
+    /// The corners of a face and the bulges of its lines; false if it has none.
+    template<class Face, std::size_t n>
+    bool find_bulges(const Face                  &face,
+                     const MidSides<3>           &mid_sides,
+                     std::array<Point<3>, n>     &corners,
+                     std::array<Tensor<1, 3>, n> &bulges)
+    {
+      double largest = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          corners[i] = face->vertex(i);
+          bulges[i]  = bulge_of(face->line(i), mid_sides);
+          largest    = std::max(largest, bulges[i].norm());
+        }
+      return largest > 0;
+    }
+
+
+
+    /// The curved face of a hexahedron or tetrahedron; none if it is flat.
+    template<class Face>
+    std::unique_ptr<CurvedFace> curved_face(const Face        &face,
+                                            const MidSides<3> &mid_sides)
+    {
+      if (face->n_vertices() == 3)
+        {
+          std::array<Point<3>, 3>     corners;
+          std::array<Tensor<1, 3>, 3> bulges;
+          if (find_bulges(face, mid_sides, corners, bulges))
+            return std::make_unique<CurvedTriangle>(corners, bulges);
+          return nullptr;
+        }
+      std::array<Point<3>, 4>     corners;
+      std::array<Tensor<1, 3>, 4> bulges;
+      std::optional<Point<3>>     centre;
+      if (!find_bulges(face, mid_sides, corners, bulges))
+        return nullptr;
+      if (const auto found = find_middle(face, mid_sides);
+          found != mid_sides.end())
+        centre = found->second;
+      return std::make_unique<CurvedQuadrangle>(corners, bulges, centre);
+    }
+
+
+
     void make_sides_curved(const MidSides<3>  &mid_sides,
                            Mesh<3>            &mesh,
                            types::manifold_id &n_manifolds)
@@ -135,26 +181,13 @@ namespace Contact
           {
             if (face->manifold_id() != numbers::flat_manifold_id)
               continue;
-            std::array<Point<3>, 4>     corners;
-            std::array<Tensor<1, 3>, 4> bulges;
-            std::optional<Point<3>>     centre;
-            double                      largest = 0;
-            for (unsigned int i = 0; i < 4; ++i)
-              {
-                corners[i] = face->vertex(i);
-                bulges[i]  = bulge_of(face->line(i), mid_sides);
-                largest    = std::max(largest, bulges[i].norm());
-              }
-            if (largest == 0)
+            const auto curved = curved_face(face, mid_sides);
+            if (!curved)
               continue;
-            if (const auto found = find_middle(face, mid_sides);
-                found != mid_sides.end())
-              centre = found->second;
-            mesh.triangulation
-              .set_manifold(++n_manifolds, CurvedFace(corners, bulges, centre));
+            mesh.triangulation.set_manifold(++n_manifolds, *curved);
             face->set_manifold_id(n_manifolds);
-            for (unsigned int i = 0; i < 4; ++i)
-              if (bulges[i].norm() > 0)
+            for (unsigned int i = 0; i < face->n_lines(); ++i)
+              if (bulge_of(face->line(i), mid_sides).norm() > 0)
                 face->line(i)->set_manifold_id(n_manifolds);
           }
     }

@@ -30,7 +30,7 @@ namespace Contact
 
 
     /// Of Newton's method on a curved face, whose coordinates are of the unit
-    /// square: quadratic but for round-off.
+    /// square or triangle: quadratic but for round-off.
     constexpr unsigned int max_steps = 50;
     constexpr double       accuracy  = 1e-13;
 
@@ -125,9 +125,9 @@ namespace Contact
 
 
 
-  CurvedFace::CurvedFace(const std::array<Point<3>, 4>     &corners,
-                         const std::array<Tensor<1, 3>, 4> &bulges,
-                         const std::optional<Point<3>>     &centre)
+  CurvedQuadrangle::CurvedQuadrangle(const std::array<Point<3>, 4>     &corners,
+                                     const std::array<Tensor<1, 3>, 4> &bulges,
+                                     const std::optional<Point<3>>     &centre)
     : corners(corners)
     , bulges(bulges)
     , centre(centre)
@@ -138,15 +138,22 @@ namespace Contact
 
 
 
-  std::unique_ptr<Manifold<3>> CurvedFace::clone() const
+  std::unique_ptr<Manifold<3>> CurvedQuadrangle::clone() const
   {
-    return std::make_unique<CurvedFace>(corners, bulges, centre);
+    return std::make_unique<CurvedQuadrangle>(corners, bulges, centre);
+  }
+
+
+
+  Point<2> CurvedQuadrangle::middle() const
+  {
+    return {0.5, 0.5};
   }
 
 
 
   // Lines 0 and 1 are where xi_0 is 0 and 1, lines 2 and 3 where xi_1 is.
-  Point<3> CurvedFace::push_forward(const Point<2> &xi) const
+  Point<3> CurvedQuadrangle::push_forward(const Point<2> &xi) const
   {
     Point<3> x(16 * xi[0] * (1 - xi[0]) * xi[1] * (1 - xi[1]) * bubble);
     for (unsigned int v = 0; v < 4; ++v)
@@ -164,7 +171,7 @@ namespace Contact
 
 
   DerivativeForm<1, 2, 3>
-  CurvedFace::push_forward_gradient(const Point<2> &xi) const
+  CurvedQuadrangle::push_forward_gradient(const Point<2> &xi) const
   {
     std::array<Tensor<1, 3>, 2> by;
     for (unsigned int i = 0; i < 2; ++i)
@@ -191,9 +198,64 @@ namespace Contact
 
 
 
+  CurvedTriangle::CurvedTriangle(const std::array<Point<3>, 3>     &corners,
+                                 const std::array<Tensor<1, 3>, 3> &bulges)
+    : corners(corners)
+    , bulges(bulges)
+  {
+  }
+
+
+
+  std::unique_ptr<Manifold<3>> CurvedTriangle::clone() const
+  {
+    return std::make_unique<CurvedTriangle>(corners, bulges);
+  }
+
+
+
+  Point<2> CurvedTriangle::middle() const
+  {
+    return {1. / 3, 1. / 3};
+  }
+
+
+
+  Point<3> CurvedTriangle::push_forward(const Point<2> &xi) const
+  {
+    const std::array<double, 3> lambda{{1 - xi[0] - xi[1], xi[0], xi[1]}};
+    Point<3>                    x;
+    for (unsigned int l = 0; l < 3; ++l)
+      x += lambda[l] * corners[l] +
+           4 * lambda[l] * lambda[(l + 1) % 3] * bulges[l];
+    return x;
+  }
+
+
+
+  DerivativeForm<1, 2, 3>
+  CurvedTriangle::push_forward_gradient(const Point<2> &xi) const
+  {
+    const std::array<double, 3> lambda{{1 - xi[0] - xi[1], xi[0], xi[1]}};
+    std::array<Tensor<1, 3>, 3> by; // lambda
+    for (unsigned int l = 0; l < 3; ++l)
+      {
+        const unsigned int next = (l + 1) % 3;
+        by[l] += corners[l] + 4 * lambda[next] * bulges[l];
+        by[next] += 4 * lambda[l] * bulges[l];
+      }
+    DerivativeForm<1, 2, 3> gradient;
+    for (unsigned int d = 0; d < 3; ++d)
+      for (unsigned int i = 0; i < 2; ++i)
+        gradient[d][i] = by[i + 1][d] - by[0][d];
+    return gradient;
+  }
+
+
+
   Point<2> CurvedFace::pull_back(const Point<3> &p) const
   {
-    Point<2> xi(0.5, 0.5);
+    Point<2> xi = middle();
     for (unsigned int step = 0; step < max_steps; ++step)
       {
         const auto         gradient = push_forward_gradient(xi);

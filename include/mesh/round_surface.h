@@ -71,27 +71,37 @@ namespace Contact
 
 
 
-  /**
-   * A face with curved sides: its corners in deal.II's order, by line how far
-   * the mid-side node is from the middle of the line, and its centre, if there
-   * is a node [mm]. With coordinates xi of the unit square it is that of 9
-   * nodes, or of 8,
-   *   x = sum_a N_a x_a + 4 sum_l f_l(xi) bulge_l
-   *       + 16 xi_0 (1 - xi_0) xi_1 (1 - xi_1) bubble,
-   * f of line 0 is (1 - xi_0) xi_1 (1 - xi_1), the others likewise. A new point
-   * has the weighted mean of the coordinates.
-   */
+  /// A face with curved sides, by coordinates xi in the plane. A new point has
+  /// the weighted mean of the coordinates.
   class CurvedFace : public ChartManifold<3, 3, 2>
   {
   public:
-    CurvedFace(const std::array<Point<3>, 4>     &corners,
-               const std::array<Tensor<1, 3>, 4> &bulges,
-               const std::optional<Point<3>>     &centre);
-
-    std::unique_ptr<Manifold<3>> clone() const override;
-
     /// By the method of Gauss and Newton.
     Point<2> pull_back(const Point<3> &p) const override;
+
+  private:
+    /// The first guess.
+    virtual Point<2> middle() const = 0;
+  };
+
+
+
+  /**
+   * A quadrangle with curved sides: its corners in deal.II's order, by line how
+   * far the mid-side node is from the middle of the line, and its centre, if
+   * there is a node [mm]. With coordinates xi of the unit square it is that of
+   * 9 nodes, or of 8, x = sum_a N_a x_a + 4 sum_l f_l(xi) bulge_l
+   *       + 16 xi_0 (1 - xi_0) xi_1 (1 - xi_1) bubble,
+   * f of line 0 is (1 - xi_0) xi_1 (1 - xi_1), the others likewise.
+   */
+  class CurvedQuadrangle : public CurvedFace
+  {
+  public:
+    CurvedQuadrangle(const std::array<Point<3>, 4>     &corners,
+                     const std::array<Tensor<1, 3>, 4> &bulges,
+                     const std::optional<Point<3>>     &centre);
+
+    std::unique_ptr<Manifold<3>> clone() const override;
 
     Point<3> push_forward(const Point<2> &xi) const override;
 
@@ -99,10 +109,39 @@ namespace Contact
     DerivativeForm<1, 2, 3>
     push_forward_gradient(const Point<2> &xi) const override;
 
+    Point<2> middle() const override;
+
     const std::array<Point<3>, 4>     corners;
     const std::array<Tensor<1, 3>, 4> bulges;
     const std::optional<Point<3>>     centre;
     Tensor<1, 3>                      bubble;
+  };
+
+
+
+  /**
+   * A triangle of 6 nodes: line l joins the corners l and l + 1. With lambda =
+   * (1 - xi_0 - xi_1, xi_0, xi_1)
+   *   x = sum_a lambda_a x_a + 4 sum_l lambda_l lambda_{l+1} bulge_l.
+   */
+  class CurvedTriangle : public CurvedFace
+  {
+  public:
+    CurvedTriangle(const std::array<Point<3>, 3>     &corners,
+                   const std::array<Tensor<1, 3>, 3> &bulges);
+
+    std::unique_ptr<Manifold<3>> clone() const override;
+
+    Point<3> push_forward(const Point<2> &xi) const override;
+
+  private:
+    DerivativeForm<1, 2, 3>
+    push_forward_gradient(const Point<2> &xi) const override;
+
+    Point<2> middle() const override;
+
+    const std::array<Point<3>, 3>     corners;
+    const std::array<Tensor<1, 3>, 3> bulges;
   };
 } // namespace Contact
 

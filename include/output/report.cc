@@ -406,9 +406,11 @@ namespace Contact
     });
     if (summary.converged)
       for (const std::string &probe : summary.levels.back().errors.at_corners)
-        tell({{"'" + probe +
-               "' is at a corner in contact, where stresses are singular: "
-               "its error can be ten times as large as estimated"}});
+        tell(
+          {{"'" + probe +
+            "' is at a corner in contact, where stresses are singular: "
+            "its error can be ten times as large as estimated. Forces, energies "
+            "and displacements converge there"}});
     write_history();
     summary.time     = phase_times(timer);
     summary.counters = discretization->counters.by_name();

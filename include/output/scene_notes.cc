@@ -299,6 +299,21 @@ namespace Contact
 
 
 
+    // One strain in a cell: as stiff as triangles in 2-D, and in 3-D there is
+    // nothing else to mesh most parts with.
+    template<int dim>
+    void add_note_on_tetrahedra(const Discretization<dim> &discretization,
+                                Findings                  &findings)
+    {
+      if (dim == 3 && discretization.degree == 1 &&
+          !discretization.mesh.has_only_hypercubes())
+        findings.push_back(
+          {"tetrahedra of degree 1 are too stiff where bodies bend, and lock "
+           "where they hardly change their volume. Set 'Element/Degree = 2'"});
+    }
+
+
+
     // A mesh has only a polygon of a circle.
     template<int dim>
     void add_notes_on_arcs(const Parameters::All     &parameters,
@@ -343,6 +358,7 @@ namespace Contact
       findings.push_back({"the curve '" + group +
                           "' has lines that are no edges of cells on the "
                           "boundary: it is left out"});
+    add_note_on_tetrahedra(*model.discretization, findings);
     if (!model.interface)
       return findings;
     for (const auto &contact_pair : parameters.pairs())

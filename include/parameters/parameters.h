@@ -121,9 +121,9 @@ namespace Contact
       /// The mesh has volumes, which its file tells.
       bool in_space = false;
 
-      /// The same case in 3-D. Throws InputError where an entry is one for
-      /// the plane.
-      All for_space() const;
+      /// The same case in 3-D, on a mesh with tetrahedra or without. Throws
+      /// InputError where an entry is one for the plane.
+      All for_space(const bool has_tetrahedra = false) const;
 
       void add_parameters(ParameterHandler &prm);
 

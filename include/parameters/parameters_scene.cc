@@ -89,10 +89,16 @@ namespace Contact
     void Element::add_parameters(ParameterHandler &prm)
     {
       prm.enter_subsection("Element");
-      prm.add_parameter("Degree",
-                        degree,
-                        "Polynomial degree of the displacements [-].",
-                        Patterns::Integer(1, 2));
+      prm.declare_entry("Degree",
+                        "automatic",
+                        Patterns::Selection("automatic|1|2"),
+                        "Polynomial degree of the displacements [-]; "
+                        "automatic: 2 of a mesh with tetrahedra, which are "
+                        "too stiff at degree 1, 1 of all others.");
+      prm.add_action("Degree", [this](const std::string &value) {
+        degree_is_automatic = value == "automatic";
+        degree              = value == "2" ? 2 : 1;
+      });
       prm.add_parameter(
         "Centre node",
         centre_node,

@@ -108,7 +108,9 @@ namespace Contact
     /// The finite element of the solids.
     struct Element
     {
-      unsigned int degree = 1;
+      /// Of an automatic one 2 if there are tetrahedra, which the mesh tells.
+      unsigned int degree              = 1;
+      bool         degree_is_automatic = true;
 
       /// Bound: the 8-node quadrilateral, free: the 9-node one.
       Choice<CentreNode> centre_node = CentreNode::serendipity;

@@ -25,7 +25,7 @@ namespace Contact::Parameters
 
 
 
-  All All::for_space() const
+  All All::for_space(const bool has_tetrahedra) const
   {
     refuse(solids.symmetry == Symmetry::axisymmetric,
            "Solids/Symmetry",
@@ -56,6 +56,8 @@ namespace Contact::Parameters
            "compare two runs");
     All all      = *this;
     all.in_space = true;
+    if (has_tetrahedra && element.degree_is_automatic)
+      all.element.degree = 2;
 
     // The solution does not depend on it; in 3-D a small one would let
     // round-off into the residual, times E/h/c.

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/dimension.h"
 #include "base/errors.h"
 #include "base/string_utilities.h"
 #include "solid/followers.h"
@@ -191,6 +192,29 @@ namespace Contact
 
 
 
+  namespace
+  {
+    /// Of triangles of degree 1, which lock as well, quadrangles are an easy
+    /// way out, and a body may have few of them.
+    void refuse_locking(const Discretization<2> &, const CellTable<2> &)
+    {
+    }
+
+    void refuse_locking(const Discretization<3> &discretization,
+                        const CellTable<3>      &cell)
+    {
+      const double nearly_incompressible = 10;
+      if (cell.material->lambda > nearly_incompressible * cell.material->mu)
+        throw InputError("the tetrahedra of degree 1 of '" +
+                           discretization.mesh.body_name(cell.body) +
+                           "', which hardly changes its volume, would lock",
+                         "entry 'Element/Degree'",
+                         "set 'Degree = 2', or mesh the body with hexahedra");
+    }
+  } // namespace
+
+
+
   template<int dim>
   CellTables<dim>
   tabulate_cells(const Discretization<dim>                    &discretization,
@@ -240,17 +264,21 @@ namespace Contact
               ? dim + 1
               : 1);
 
+        if (discretization.degree == 1 &&
+            !dof_cell->reference_cell().is_hyper_cube())
+          refuse_locking(discretization, cell);
+
         if (enhanced.count(cell.body) > 0)
           {
             if (!dof_cell->reference_cell().is_hyper_cube())
-              throw InputError("there are no incompatible modes of triangles, "
-                               "one is at " +
-                                 brief(cell.centre),
-                               "Solids/Incompatible modes",
-                               "mesh '" +
-                                 discretization.mesh.body_name(cell.body) +
-                                 "' with quadrangles alone, or set 'Degree = "
-                                 "2'");
+              throw InputError(
+                std::string("there are no incompatible modes of ") +
+                  Dimension<dim>::simplices + ", one is at " +
+                  brief(cell.centre),
+                "Solids/Incompatible modes",
+                "mesh '" + discretization.mesh.body_name(cell.body) +
+                  "' with " + Dimension<dim>::hypercubes +
+                  " alone, or set 'Degree = 2'");
             cell.stress_modes = stress_modes(fe_values.get_quadrature(), cell);
           }
 

@@ -154,12 +154,10 @@ namespace Contact
     const auto &ids = discretization.mesh.boundary(name, section + entry);
     loaded.insert(ids.begin(), ids.end());
 
-    hp::QCollection<dim - 1> face_quadrature;
-    while (face_quadrature.size() < discretization.fe.size())
-      face_quadrature.push_back(QGauss<dim - 1>(discretization.degree + 1));
     hp::FEFaceValues<dim> hp_values(discretization.mapping,
                                     discretization.fe,
-                                    face_quadrature,
+                                    make_face_quadrature<dim>(
+                                      discretization.degree),
                                     update_values | update_JxW_values |
                                       update_quadrature_points |
                                       update_normal_vectors);
@@ -193,9 +191,9 @@ namespace Contact
   DeadLoads<dim>::integrate_body(const types::material_id body,
                                  const BodyForceField    &force) const
   {
-    hp::QCollection<dim> quadrature{QGauss<dim>(discretization.degree + 1)};
-    if (discretization.fe.size() > 1)
-      quadrature.push_back(QGaussSimplex<dim>(discretization.degree + 1));
+    const hp::QCollection<dim> quadrature(
+      QGauss<dim>(discretization.degree + 1),
+      QGaussSimplex<dim>(discretization.degree + 1));
     hp::FEValues<dim> hp_values(discretization.mapping,
                                 discretization.fe,
                                 quadrature,

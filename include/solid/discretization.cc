@@ -10,6 +10,7 @@
 
 #include <boost/serialization/set.hpp>
 
+#include "base/all_ranks.h"
 #include "base/errors.h"
 #include "base/string_utilities.h"
 #include "parameters/formula.h"
@@ -135,6 +136,9 @@ namespace Contact
   void Discretization<dim>::redistribute()
   {
     distribute_dofs(mesh, fe, own_dof_handler);
+    if (degree == 2 && !mesh.has_only_hypercubes())
+      on_all_ranks(communicator,
+                   [&]() { check_curved_simplices(dof_handler, mapping); });
 
     prescribed.clear();
     ties.clear();

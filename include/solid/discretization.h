@@ -30,11 +30,11 @@ namespace Contact
 
   /**
    * The finite element spaces of all bodies: quadrangles and hexahedra are
-   * FE_Q, triangles FE_SimplexP of the same degree, the geometry is
-   * isoparametric.
+   * FE_Q, triangles and tetrahedra FE_SimplexP of the same degree, the geometry
+   * is isoparametric.
    *
-   * Quadrature: degree + 1 Gauss points in each direction; in triangles 1 point
-   * at degree 1, 3 points at degree 2.
+   * Quadrature: degree + 1 Gauss points in each direction; in triangles and
+   * tetrahedra 1 point at degree 1, 3 and 4 points at degree 2.
    *
    * With <code>serendipity</code> the centre value of a quadrangle of degree 2
    * is 1/2 sum(mid-sides) - 1/4 sum(corners): the 8-node element; of hexahedra

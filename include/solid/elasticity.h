@@ -79,9 +79,10 @@ namespace Contact
    * and for dim + 1 at degree 2 (Q2-P1). "automatic" projects where lambda > 10
    * mu, that is nu > 5/11.
    *
-   * Triangles of degree 1 have one point: P is the identity, and they lock
-   * either way. In those of degree 2 P is the mean: three conditions would be
-   * too many for the four unknowns of displacement that a triangle has (see
+   * Triangles and tetrahedra of degree 1 have one point: P is the identity, and
+   * they lock either way; nearly incompressible tetrahedra of degree 1 are
+   * refused. In those of degree 2 P is the mean: three conditions would be too
+   * many for the four unknowns of displacement that a triangle has (see
    * tests/locking.cc), one is stable, at the price of an order. Prefer
    * quadrangles where nu is close to 1/2.
    */

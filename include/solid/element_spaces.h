@@ -18,7 +18,7 @@ namespace Contact
   using namespace dealii;
 
   /// The mappings, elements and quadratures {for quadrangles, for triangles},
-  /// or for hexahedra, of a degree.
+  /// in 3-D {for hexahedra, for tetrahedra}, of a degree.
   template<int dim>
   hp::MappingCollection<dim> make_mapping(const unsigned int degree);
 
@@ -28,6 +28,11 @@ namespace Contact
   template<int dim>
   hp::QCollection<dim> make_quadrature(const unsigned int degree);
 
+  /// Those of the faces of these cells, exact for polynomials of degree
+  /// 2 degree + 1.
+  template<int dim>
+  hp::QCollection<dim - 1> make_face_quadrature(const unsigned int degree);
+
   /// Number the unknowns of a collection {for quadrangles, for triangles}. A
   /// mesh of quadrangles or hexahedra alone takes the first element for all
   /// cells.
@@ -35,6 +40,12 @@ namespace Contact
   void distribute_dofs(const Mesh<dim>             &mesh,
                        const hp::FECollection<dim> &fe,
                        DoFHandler<dim>             &dof_handler);
+
+  /// Throws InputError on the rank that owns a triangle or tetrahedron which
+  /// its curved sides turn inside out at one of its nodes. Of degree 2.
+  template<int dim>
+  void check_curved_simplices(const DoFHandler<dim>            &dof_handler,
+                              const hp::MappingCollection<dim> &mapping);
 } // namespace Contact
 
 #endif

@@ -12,9 +12,12 @@
 #include <deal.II/grid/manifold.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/serialization/vector.hpp>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <set>
 
 #include "base/constraint_entries.h"
 #include "base/errors.h"
@@ -53,12 +56,23 @@ namespace Contact
                                     const Point<dim>    &xi)
     {
       Point<dim> closest = GeometryInfo<dim>::project_to_unit_cell(xi);
-      if constexpr (dim == 2)
-        if (!cell.is_hyper_cube() && closest[0] + closest[1] > 1)
-          {
-            closest[0] = std::clamp((1 + xi[0] - xi[1]) / 2, 0., 1.);
-            closest[1] = 1 - closest[0];
-          }
+      if (cell.is_hyper_cube() ||
+          std::accumulate(&closest[0], &closest[0] + dim, 0.) <= 1)
+        return closest;
+      // On the face where they add up to one, less the same of each.
+      std::array<double, dim> sorted;
+      for (unsigned int d = 0; d < dim; ++d)
+        sorted[d] = xi[d];
+      std::sort(sorted.rbegin(), sorted.rend());
+      double less = 0, sum = 0;
+      for (unsigned int n = 0; n < dim; ++n)
+        {
+          sum += sorted[n];
+          if (const double mean = (sum - 1) / (n + 1); mean < sorted[n])
+            less = mean;
+        }
+      for (unsigned int d = 0; d < dim; ++d)
+        closest[d] = std::max(xi[d] - less, 0.);
       return closest;
     }
 
@@ -72,11 +86,19 @@ namespace Contact
     {
       Point<dim> across = xi;
       if (cell.is_hyper_cube())
-        across[f / 2] = f % 2;
-      else if (f == 1)
-        across *= 1 / (xi[0] + xi[1]);
-      else
-        across[f == 0 ? 1 : 0] = 0;
+        {
+          across[f / 2] = f % 2;
+          return across;
+        }
+      // Vertex d + 1 is where coordinate d is one.
+      std::set<unsigned int> vertices;
+      for (unsigned int v = 0; v < dim; ++v)
+        vertices.insert(cell.face_to_cell_vertices(f, v, /*orientation=*/1));
+      if (vertices.count(0) == 0)
+        across *= 1 / std::accumulate(&xi[0], &xi[0] + dim, 0.);
+      for (unsigned int d = 0; d < dim; ++d)
+        if (vertices.count(0) > 0 && vertices.count(d + 1) == 0)
+          across[d] = 0;
       return across;
     }
 

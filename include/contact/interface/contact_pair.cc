@@ -20,12 +20,35 @@ namespace Contact
 {
   namespace
   {
+    /// Facets are quadrangles. On the coarse mesh, which every rank has.
+    template<int dim>
+    void refuse_triangles(const DiscretizedBodies<dim> &discretization,
+                          const std::string            &name,
+                          const std::string            &entry)
+    {
+      const auto &mesh = discretization.dof_handler.get_triangulation();
+      const auto &ids  = discretization.boundary_ids(name, entry);
+      for (const auto &cell : mesh.cell_iterators_on_level(0))
+        for (const auto &face : cell->face_iterators())
+          if (face->n_vertices() == 3 && face->at_boundary() &&
+              ids.count(face->boundary_id()) > 0)
+            throw InputError("the surface '" + name +
+                               "' is one of tetrahedra, which do not take part "
+                               "in contact yet",
+                             "entry '" + entry + "'",
+                             "mesh the bodies that touch or are tied with "
+                             "hexahedra");
+    }
+
+
+
     template<int dim>
     Surface<dim> make_surface(const DiscretizedBodies<dim> &discretization,
                               const std::string            &name,
                               const std::string            &entry,
                               const SurfaceCut              cut)
     {
+      refuse_triangles(discretization, name, entry);
       return {discretization,
               discretization.boundary_ids(name, entry),
               name,

@@ -65,6 +65,14 @@ namespace Contact
       return nodes;
     }
 
+    std::vector<Point<3>> tetrahedron(const bool is_quadratic)
+    {
+      std::vector<Point<3>> nodes{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+      if (is_quadratic)
+        add_middles({{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}, nodes);
+      return nodes;
+    }
+
     std::vector<Point<3>> hexahedron(const bool is_quadratic)
     {
       std::vector<Point<3>> nodes = square;
@@ -106,6 +114,8 @@ namespace Contact
                {{2, 6}, {22, triangle(true)}},
                {{2, 4}, {9, quadrangle(false)}},
                {{2, 9}, {28, quadrangle(true)}},
+               {{3, 4}, {10, tetrahedron(false)}},
+               {{3, 10}, {24, tetrahedron(true)}},
                {{3, 8}, {12, hexahedron(false)}},
                {{3, 27}, {29, hexahedron(true)}}};
       return shapes.at({dim, n_nodes});

@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "base/constraint_entries.h"
+#include "base/dimension.h"
 #include "solvers/direct/negative_curvature.h"
 
 namespace Contact
@@ -46,7 +47,7 @@ namespace Contact
                                  const Elasticity<dim>     &elasticity)
   {
     if (!discretization.mesh.has_only_hypercubes())
-      return "triangles";
+      return Dimension<dim>::simplices;
     if (discretization.axisymmetric)
       return "rings";
     if (!elasticity.is_elastic())
