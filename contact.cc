@@ -383,20 +383,43 @@ namespace Contact
   // @sect4{ContactProblem::estimate_errors}
   //
   // The dual problems, one for each probe, are linear: they are solved under
-  // the statuses that the last increment has ended with.
+  // the statuses that the last increment has ended with. A result does not
+  // depend on them: without a request that they end none.
   template<int dim>
   ProbeErrors ContactProblem<dim>::estimate_errors()
   {
-    if constexpr (dim == 2)
-      if (parameters.probes.dual_weighted_residuals ||
-          parameters.follows_goals())
-        {
-          GoalErrors goal_errors(parameters, model, state, report.timer);
-          const auto errors  = goal_errors.estimate();
-          coarser.indicators = goal_errors.indicators();
-          return errors;
-        }
-    return {};
+    ProbeErrors errors;
+    errors.not_estimated = parameters.missing_errors();
+
+    // So large a system has no factorization that serves, and one more would
+    // take longer than the run.
+    const bool is_too_large =
+      parameters.is_condensed(model.n_displacements()) &&
+      !parameters.is_condensed() &&
+      !parameters.probes.dual_weighted_residuals && !parameters.follows_goals();
+    if (is_too_large && parameters.solves_dual_problems())
+      errors.not_estimated = "The mesh is too large for that to cost little: "
+                             "take 'Levels', or 'Dual weighted residuals'.";
+    else if constexpr (dim == 2)
+      if (parameters.solves_dual_problems())
+        try
+          {
+            GoalErrors goal_errors(parameters,
+                                   model,
+                                   state,
+                                   *system,
+                                   report.timer);
+            errors             = goal_errors.estimate();
+            coarser.indicators = goal_errors.indicators();
+          }
+        catch (const NotConverged &failure)
+          {
+            if (parameters.follows_goals())
+              throw;
+            errors               = ProbeErrors();
+            errors.not_estimated = failure.what();
+          }
+    return errors;
   }
 
 

@@ -10,6 +10,9 @@ Proves that
   which it refines where the error comes from, and of triangles;
 - so it does at a corner in contact, where values converge slowly and estimates see
   the next step alone, and its error is marked there, as elsewhere it is not;
+- so it does where friction ends at a corner of the master, and on polygons of a
+  circle; where no mesh resolves the zone of contact it says so;
+- no printed error is smaller than the one a request believes;
 - so it does without dual problems, in 3-D and with plastic bodies, by the values on
   three meshes;
 - without a request the difference from a coarser mesh is marked where that is not
@@ -135,15 +138,53 @@ check("zero by symmetry: status 1 soon, with the remedy", status == 1 and
 
 # The pole of a roller on its line of symmetry is no corner, though the chords of its
 # arc are not perpendicular to that.
-roller = pathlib.Path(__file__).resolve().parents[2] / \
-    "shared/accuracy/corner_note/roller.prm"
-if roller.exists():
-    status, said, summary = solve(roller, "Probes/Accuracy=p: 1 %")
-    result = {p["name"]: p for p in summary["probes"]}["p"]
+def ask_shared(scene, request, *settings):
+    """Of a scene that a user has sent: status, what is said, unknowns and probe."""
+    path = pathlib.Path(__file__).resolve().parents[2] / "shared/accuracy" / scene
+    if not path.exists():
+        print(f"left out: {path} is not there")
+        return None
+    status, said, summary = solve(path, f"Probes/Accuracy={request}", *settings)
+    name = request.split(":")[0]
+    return (status, said, summary["levels"][-1]["displacements"],
+            {p["name"]: p for p in summary["probes"]}[name])
+
+
+if found := ask_shared("corner_note/roller.prm", "p: 1 %"):
+    status, said, _, result = found
     check("the pole of a roller is confirmed", status == 0 and
           result["error_is_confirmed"] and "corner in contact" not in said, said)
-else:
-    print(f"left out: {roller} is not there")
+
+# Rings of degree 1, whose polygons are refined alike: the closed form is 76.68.
+if found := ask_shared("rings_linear/rings.prm", "p: 1 %"):
+    status, said, unknowns, result = found
+    check("polygons of a circle: is as accurate", status == 0 and
+          abs(result["value"] / 76.68 - 1) < 0.01 and unknowns < 6000, said)
+
+# Friction at the end of the master: points of the refined mesh that close there slide.
+# The limit is that of the finest meshes.
+if found := ask_shared("dovetail_overestimate/dovetail.prm", "p: 1 %"):
+    status, said, unknowns, result = found
+    check("friction at a corner of the master: is as accurate", status == 0 and
+          abs(result["value"] / 75.49 - 1) < 0.01 and unknowns < 6000, said)
+
+# A zone of contact that is far narrower than a facet: the pressure is 21.1 where the
+# mesh resolves it, and grows in equal steps before.
+if found := ask_shared("beam_pressure_log/beam.prm", "p: 2 %",
+                       "Refinement/Limits=unknowns: 4000"):
+    status, said, _, result = found
+    check("a pressure that no mesh resolves: status 1, and why", status == 1 and
+          ("less than four facets wide" in said or "equal steps" in said) and
+          not result["error_is_confirmed"], said)
+
+# The error that is printed beside a probe without a request is believed as well.
+status, said, summary = run("nested", "Probes/Accuracy=SIYY(B): 2 MPa",
+                            "Probes/References=", "Probes/Tolerances=")
+result = {p["name"]: p for p in summary["probes"]}["DY(B)"]
+check("an error without a request is no smaller than the true one", status == 0 and
+      abs(result["value"] + 1.27434) <= result["estimated_error"] + 6e-5,
+      f"{result['value']} {result['estimated_error']}")
+check("no mark in a table of status 0", ">" not in said.split("error est.")[1], said)
 
 free = ("Probes/References=", "Probes/Tolerances=")
 status, said, summary = run("nested", "Probes/Accuracy=DY(B): 1 %", *free,

@@ -13,6 +13,8 @@ Proves that
 - where errors fall at their rate, the forecast of the next level's is right to a
   factor of two;
 - the estimates do not change the values;
+- a run on one mesh has them by default, twice what is estimated, from the
+  factorization at hand; off they cost nothing, and where there are none it says why;
 - reactions and forces of contact balance the loads where nodes hang, and with
   body forces on 8-node elements;
 - estimates are refused where there are none.
@@ -95,9 +97,10 @@ for case, (degree, n_levels, tolerance, *more) in cases.items():
     for probe in summary["probes"]:
         check("  the mesh before confirms it, or a mark says that it does not",
               probe["error_is_confirmed"] != (
-                  f"{probe['estimated_error']:.1e}?" in said))
-        check("  says how", probe["estimator"] == "dual weighted residuals" and
-              probe["estimated_error"] ==
+                  f">{probe['estimated_error']:.1e}" in said))
+        check("  says how, and no less than a request believes",
+              probe["estimator"] == "dual weighted residuals" and
+              probe["estimated_error"] >= 2 * (1 - 1e-12) *
               abs(levels[-1]["estimated_errors"][probe["name"]]))
 
 status, said, summary = run(
@@ -111,6 +114,34 @@ check("loads are balanced", status == 0 and all(
     abs(values[name] / force - 1) < 1e-6 for name, force in
     {"base": load + weight, "slave": load, "master": -load}.items()),
     f"{values}")
+
+for case, kept in (("nested_large", True), ("nested_friction", False)):
+    settings = () if kept else ("Solution/Friction=fixed point",)
+    status, said, summary = run(case, 0, "Probes/Errors=true", *settings)
+    _, quiet, without = run(case, 0, *settings)
+    check(f"{case}, one mesh: runs", status == 0, said)
+    for probe, plain in zip(summary["probes"], without["probes"]):
+        level = summary["levels"][0]["estimated_errors"][probe["name"]]
+        check(f"{probe['name']} has an error, twice what is estimated",
+              probe["estimated_error"] == 2 * abs(level) > 0 and
+              not probe["error_is_confirmed"] and
+              f"{probe['estimated_error']:.1e}" in said and
+              "dual weighted residuals on this mesh alone" in said, said)
+        check("  is unchanged", probe["value"] == plain["value"] and
+              plain["estimated_error"] is None and "error est." not in quiet)
+    more = {name: number - without["counters"][name]
+            for name, number in summary["counters"].items()
+            if number != without["counters"][name]}
+    check("  takes a solve for each probe and the factorization at hand, if it serves",
+          more["linear_solves"] == len(summary["probes"]) and
+          ("symbolic_factorizations" in more) != kept, f"{more}")
+
+status, said, summary = run("nested", 0, "Probes/Errors=true",
+                            "Contact/Discretization=Gauss")
+check("Gauss points: no errors, and why", status == 0 and "error est.: not estimated: "
+      "There are no dual problems" in said and all(
+          probe["estimated_error"] is None and probe["not_estimated"]
+          for probe in summary["probes"]), said)
 
 status, said, _ = run("nested", 0, estimate, "Contact/Discretization=Gauss")
 check("Gauss points: refused", status == 2 and "dual problems" in said, said)

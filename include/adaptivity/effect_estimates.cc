@@ -12,6 +12,7 @@
 
 #include "base/errors.h"
 #include "base/interruption.h"
+#include "model/rotated_tie.h"
 #include "parameters/formula.h"
 #include "probes/probes.h"
 
@@ -155,8 +156,10 @@ namespace Contact
     Elasticity<2>                &bodies  = *other.model.elasticity;
     const CellValues              history = bodies.history();
     bodies.accept(other.state.solution);
+    IncrementState<2>   state = other.state;
+    const RotatedTie<2> glue(other.model, state.solution);
     for (const auto &[name, probe] : probes)
-      values[name] = probe_value(probe, other.model, other.state);
+      values[name] = probe_value(probe, other.model, state);
     bodies.restore(history);
     return values;
   }
@@ -229,8 +232,12 @@ namespace Contact
       scene->model.elasticity->restore(model.elasticity->history());
     seconds = converge(*scene);
     values  = probes_of(*scene);
-    for (const auto &[name, probe] : probes)
-      left[name] = values.at(name) - probe_value(probe, model, state);
+    {
+      IncrementState<2>   present = state;
+      const RotatedTie<2> glue(model, present.solution);
+      for (const auto &[name, probe] : probes)
+        left[name] = values.at(name) - probe_value(probe, model, present);
+    }
     if (state.start_factor > 0 && model.interface && !remembers())
       solve_at_once();
 

@@ -19,10 +19,12 @@ namespace Contact
   GoalErrors::GoalErrors(const Parameters::All   &parameters,
                          ContactModel<2>         &model,
                          const IncrementState<2> &state,
+                         const LinearSystem<2>   &system,
                          TimerOutput             &timer)
     : parameters(parameters)
     , model(model)
     , state(state)
+    , system(system)
     , timer(timer)
     , probes(parameters.probes.definitions())
     , linearization(
@@ -89,7 +91,7 @@ namespace Contact
     // less.
     const GhostedVector relaxed = system.relax(residual, /*n_sweeps=*/5);
 
-    find_corners(errors);
+    find_doubts(errors);
     unsigned int k = 0;
     for (const auto &[name, probe] : probes)
       {
@@ -133,20 +135,45 @@ namespace Contact
 
 
 
-  void GoalErrors::find_corners(ProbeErrors &errors) const
+  void GoalErrors::find_doubts(ProbeErrors &errors) const
   {
     if (!model.interface)
       return;
     for (const auto &[name, probe] : probes)
       if (!is_integral(probe.quantity))
         for (const std::string &point : probe.places)
-          if (const auto at =
-                model.discretization->place(point, "Probes/Probes").vertices;
-              at.size() == 1 &&
-              is_at_corner(
-                *model.interface,
-                model.discretization->vertex_dofs[at.begin()->first]))
-            errors.at_corners.insert(name);
+          for (const auto &[vertex, weight] :
+               model.discretization->place(point, "Probes/Probes").vertices)
+            {
+              const NodeDoFs<2> &node =
+                model.discretization->vertex_dofs[vertex];
+              if (weight == 1 && is_at_corner(*model.interface, node))
+                errors.at_corners.insert(name);
+              if (is_contact_traction(probe.quantity) && is_unresolved(node))
+                errors.unresolved.insert(name);
+            }
+  }
+
+
+
+  // At a line of symmetry it is half of the zone, elsewhere at least that.
+  bool GoalErrors::is_unresolved(const NodeDoFs<2> &node) const
+  {
+    const ContactInterface<2> &interface = *model.interface;
+    const unsigned int         n_facets  = 4;
+    const unsigned int n_nodes = n_facets * parameters.element.degree + 1;
+    for (const ContactPoint<2> &at : interface.points())
+      if (at.n_nodes > 0 && at.status.kind != Status::open &&
+          !interface.contact_pair(at).tied && at.dofs(at.own_node()) == node)
+        {
+          unsigned int n_active = 0;
+          for (const ContactPoint<2> &point :
+               interface.contact_pair(at).points_among(interface.points()))
+            if (point.status.kind != Status::open)
+              ++n_active;
+          return n_active < n_nodes;
+        }
+    return false;
   }
 
 
@@ -280,7 +307,9 @@ namespace Contact
 
 
 
-  // The tangent knows how pairing and bounds move, whatever the run did.
+  // The tangent knows how pairing and bounds move, unless the run ends with a
+  // factorization that serves: as weights of residuals dual solutions need not
+  // be exact.
   std::vector<GhostedVector>
   GoalErrors::solve_dual_problems(ProbeErrors &errors) const
   {
@@ -291,20 +320,26 @@ namespace Contact
         points = model.interface->points();
         bounds.emplace(model.interface->bounds, /*follow=*/true);
       }
+    const auto *at_hand = dynamic_cast<const SaddlePointSystem *>(&system);
+    if (at_hand && !at_hand->has_tangent_of(state))
+      at_hand = nullptr;
     const Residuals   residuals = pair_anew();
-    SaddlePointSystem system(model,
-                             linearization,
-                             linearization.moving_geometry,
-                             /*keeps_factorization=*/false,
-                             timer);
-    system.update_pattern(true);
-    system.factorize(state.solution, state.start, state.load_factor);
+    SaddlePointSystem anew(model,
+                           linearization,
+                           linearization.moving_geometry,
+                           /*keeps_factorization=*/false,
+                           timer);
+    if (!at_hand)
+      {
+        anew.update_pattern(true);
+        anew.factorize(state.solution, state.start, state.load_factor);
+      }
 
     std::vector<GhostedVector> duals;
     for (const auto &[name, probe] : probes)
       {
         duals.push_back(probe_derivative(probe, model, state.solution));
-        system.solve_transposed(duals.back());
+        (at_hand ? *at_hand : anew).solve_transposed(duals.back());
         double before = 0;
         for (const auto &[loop, residual] : residuals)
           {

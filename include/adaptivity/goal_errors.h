@@ -11,6 +11,7 @@
 #include "adaptivity/probe_errors.h"
 #include "adaptivity/refined_state.h"
 #include "solid/stress_recovery.h"
+#include "solvers/newton/linear_system.h"
 
 namespace Contact
 {
@@ -39,10 +40,12 @@ namespace Contact
   class GoalErrors
   {
   public:
-    /// The @p state has converged.
+    /// The @p state has converged, by the @p system; if that has its tangent,
+    /// the dual problems take it.
     GoalErrors(const Parameters::All   &parameters,
                ContactModel<2>         &model,
                const IncrementState<2> &state,
+               const LinearSystem<2>   &system,
                TimerOutput             &timer);
 
     /**
@@ -66,7 +69,8 @@ namespace Contact
     /// Minus the residual that is left, one loop after the other.
     using Residuals = std::vector<std::pair<std::string, GhostedVector>>;
 
-    void                       find_corners(ProbeErrors &errors) const;
+    void                       find_doubts(ProbeErrors &errors) const;
+    bool                       is_unresolved(const NodeDoFs<2> &node) const;
     void                       add_indicators(const GhostedVector &residual,
                                               const GhostedVector &weight,
                                               const double         scale,
@@ -86,6 +90,7 @@ namespace Contact
     const Parameters::All                &parameters;
     ContactModel<2>                      &model;
     const IncrementState<2>              &state;
+    const LinearSystem<2>                &system;
     TimerOutput                          &timer;
     const Parameters::Probes::Definitions probes;
     const ContactLinearization            linearization;

@@ -26,6 +26,14 @@ namespace Contact
     /// singular, and an estimate sees the part of the error that one more level
     /// takes away.
     std::set<std::string> at_corners;
+
+    /// Tractions in a zone of contact of fewer than four facets: as far as
+    /// meshes do not resolve its width, they grow from mesh to mesh, by equal
+    /// steps.
+    std::set<std::string> unresolved;
+
+    /// Why there are none though a run estimates them, or nothing.
+    std::string not_estimated;
   };
 } // namespace Contact
 

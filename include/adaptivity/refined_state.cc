@@ -103,6 +103,8 @@ namespace Contact
 
   // At the end of the contact a point is part of it if what presses it is more
   // than what its gap takes to close: the pressure against the stiffness E/h.
+  // What it slips tells likewise whether it sticks: its own shear is none yet,
+  // and a point that sticks where its neighbors slide would hold the body.
   void RefinedState::update_statuses()
   {
     const ContactInterface<2>   &interface = *model.interface;
@@ -113,15 +115,16 @@ namespace Contact
           continue;
         const ContactState<2> now =
           interface.state(point, state.solution, state.start);
-        const double p_trial =
-          now.lambda_n -
-          interface.contact_pair(point).stiffness(point) * now.gap;
-        const bool is_open = point.status.kind == Status::open;
+        const double stiffness = interface.contact_pair(point).stiffness(point);
+        const double p_trial   = now.lambda_n - stiffness * now.gap;
+        const bool   is_open   = point.status.kind == Status::open;
         if (is_open != (p_trial <= 0))
-          point.status = interface.active_set.updated_status(point,
-                                                             PointStatus<2>(),
-                                                             p_trial,
-                                                             now.lambda_t);
+          point.status =
+            interface.active_set.updated_status(point,
+                                                PointStatus<2>(),
+                                                p_trial,
+                                                now.lambda_t -
+                                                  stiffness * now.slip);
         if (point.status.kind == Status::open)
           set_multipliers(point, 0., state.solution);
       }

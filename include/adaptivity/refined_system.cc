@@ -155,8 +155,7 @@ namespace Contact
 
 
   // Sweeps may lead away if the tangent is not definite, as of small cells at a
-  // corner that are strained beyond what the material bears: then those before
-  // count.
+  // corner that are strained beyond what the material bears: then fewer count.
   GhostedVector RefinedSystem::relax(GhostedVector     &rhs,
                                      const unsigned int n_sweeps) const
   {
@@ -171,11 +170,8 @@ namespace Contact
       if (relaxes[row])
         x[row] += missing(row) / matrix.diag_element(row);
     };
-    GhostedVector left  = rhs;
-    const double  first = rhs.l2_norm();
     for (unsigned int sweep = 0; sweep < n_sweeps; ++sweep)
       {
-        const GhostedVector before = x;
         for (unsigned int row = 0; row < rhs.size(); ++row)
           relax_node(row);
         if (!contact.unknowns.empty())
@@ -188,16 +184,12 @@ namespace Contact
           }
         for (unsigned int row = rhs.size(); row-- > 0;)
           relax_node(row);
-        GhostedVector now = rhs, product(rhs.size());
-        matrix.vmult<Vector<double>, Vector<double>>(product, x);
-        now -= product;
-        if (!(now.l2_norm() < first))
-          {
-            x = before;
-            break;
-          }
-        left = now;
       }
+    GhostedVector left = rhs, product(rhs.size());
+    matrix.vmult<Vector<double>, Vector<double>>(product, x);
+    left -= product;
+    if (n_sweeps > 0 && !(left.l2_norm() < rhs.l2_norm()))
+      return relax(rhs, n_sweeps - 1);
     rhs = left;
     return x;
   }

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "adaptivity/variant_list.h"
+#include "probes/traction_probes.h"
 
 namespace Contact
 {
@@ -42,6 +43,42 @@ namespace Contact
 
 
 
+    /// The scene without a contact pair. Without contact no point has a
+    /// traction: the entries are those of a run without such probes.
+    void add_pair_itself(const std::string &section, Variants &variants)
+    {
+      variants.add(section + "the pair itself", true, {section + "Slave="});
+      if (variants.all.empty() ||
+          variants.all.back().entries.front() != section + "Slave=")
+        return;
+      Parameters::Probes left = variants.scene.probes;
+      std::string        probes;
+      for (const auto &[name, probe] : variants.scene.probes.definitions())
+        {
+          std::string text = name + ": " + probe.quantity.name();
+          for (const std::string &place : probe.places)
+            text += ", " + place;
+          if (!is_contact_traction(probe.quantity))
+            probes += (probes.empty() ? "" : "; ") + text;
+          else
+            {
+              left.probes.erase(name);
+              left.references.erase(name);
+              left.tolerances.erase(name);
+              left.accuracy.erase(name);
+            }
+        }
+      if (left.probes.size() < variants.scene.probes.probes.size())
+        for (const std::string &entry :
+             {"Probes/Probes=" + probes,
+              entry_of("Probes/References", left.references),
+              entry_of("Probes/Tolerances", left.tolerances),
+              "Probes/Accuracy=" + Patterns::Tools::to_string(left.accuracy)})
+          variants.all.back().entries.push_back(entry);
+    }
+
+
+
     void add_pair(const Parameters::Contact &of_pair, Variants &variants)
     {
       const std::string section     = of_pair.section() + "/";
@@ -71,7 +108,7 @@ namespace Contact
                      {section + "Obstacle motion=",
                       section + "Obstacle centre=",
                       section + "Obstacle axis="});
-      variants.add(section + "the pair itself", true, {section + "Slave="});
+      add_pair_itself(section, variants);
     }
 
 

@@ -211,28 +211,74 @@ namespace Contact
 
 
 
+  double believed_error(const std::vector<LevelRecord> &levels,
+                        const unsigned int              k,
+                        const std::string              &probe)
+  {
+    if (!has_estimates(levels[k]))
+      return error_by_values(levels, k, probe);
+    const double jump =
+      k == 0 ? 0. : limit(levels[k], probe) - limit(levels[k - 1], probe);
+    return std::max({2 * std::abs(levels[k].errors.mesh.at(probe)),
+                     std::abs(jump),
+                     drift(levels, k, probe)});
+  }
+
+
+
+  std::string doubt(const std::vector<LevelRecord> &levels,
+                    const unsigned int              k,
+                    const std::string              &probe)
+  {
+    if (levels[k].errors.unresolved.count(probe) > 0)
+      return "the contact there is less than four facets wide";
+    if (k < 3 || !has_estimates(levels[k]))
+      return "";
+    const auto step = [&](const unsigned int l) {
+      return levels[l].probes.at(probe) - levels[l - 1].probes.at(probe);
+    };
+    // Steps of a small part of the error tell of the refinement elsewhere.
+    const double equal = 0.9, small = 0.5;
+    const double least = small * std::abs(levels[k].errors.mesh.at(probe));
+    for (const unsigned int l : {k - 1, k})
+      if (!(step(l) * step(l - 1) > 0 &&
+            std::abs(step(l)) > equal * std::abs(step(l - 1)) &&
+            std::abs(step(l)) > least))
+        return "";
+    return "it goes on in equal steps from mesh to mesh, as a logarithm does";
+  }
+
+
+
+  bool is_confirmed(const std::vector<LevelRecord> &levels,
+                    const unsigned int              k,
+                    const std::string              &probe)
+  {
+    if (!has_estimates(levels[k]))
+      return agrees_with_last(levels, k, probe);
+    return k > 0 && levels[k].errors.at_corners.count(probe) == 0 &&
+           doubt(levels, k, probe).empty();
+  }
+
+
+
   namespace
   {
-    /// Twice the estimated error of a probe, which is trusted to that factor
-    /// and mostly much better; or how far its value on a fine mesh, as
-    /// estimated on one level, is from that of the level before, which was less
-    /// accurate; or where the values of the last three lead to. Without
-    /// estimates, the error by the values on at least three meshes.
+    /// The error that an accuracy is judged by: believed_error() of at least
+    /// two meshes; without estimates, the error by the values on at least
+    /// three.
     double uncertainty(const std::vector<LevelRecord> &levels,
                        const unsigned int              k,
                        const std::string              &probe)
     {
       const bool estimated = has_estimates(levels[k]);
-      if (k < (estimated ? 1 : 2))
+      if (k < (estimated ? 1 : 2) || !doubt(levels, k, probe).empty())
         return std::numeric_limits<double>::infinity();
       if (!estimated)
         return agrees_with_last(levels, k, probe)
                  ? error_by_values(levels, k, probe)
                  : std::numeric_limits<double>::infinity();
-      return std::max(
-        {2 * std::abs(levels[k].errors.mesh.at(probe)),
-         std::abs(limit(levels[k], probe) - limit(levels[k - 1], probe)),
-         drift(levels, k, probe)});
+      return believed_error(levels, k, probe);
     }
 
 
@@ -246,7 +292,9 @@ namespace Contact
         return false;
       for (unsigned int k = levels.size() - n_meshes; k < levels.size(); ++k)
         if (std::abs(levels[k].probes.at(probe)) >
-            std::max(uncertainty(levels, k, probe), step_to(levels, k, probe)))
+            std::max(has_estimates(levels[k]) ? believed_error(levels, k, probe)
+                                              : uncertainty(levels, k, probe),
+                     step_to(levels, k, probe)))
           return false;
       return true;
     }
@@ -261,12 +309,14 @@ namespace Contact
       {
         const double error    = uncertainty(levels, levels.size() - 1, name);
         const double accepted = request.error_of(levels.back().probes.at(name));
+        const std::string reason = doubt(levels, levels.size() - 1, name);
         if (!(error <= accepted))
           inaccurate +=
             (inaccurate.empty() ? "" : "; ") + name + " to " +
             (std::isfinite(error) ? rounded(error)
                                   : "what so few meshes do not tell") +
-            " instead of " + rounded(accepted);
+            " instead of " + rounded(accepted) +
+            (reason.empty() ? "" : " (" + reason + ")");
       }
     return inaccurate;
   }
@@ -402,13 +452,13 @@ namespace Contact
                       const std::vector<LevelRecord> &levels,
                       const std::string              &probe)
     {
-      double so_far       = 0;
-      bool   is_confirmed = true;
+      double so_far    = 0;
+      bool   all_known = true;
       for (unsigned int k = 0; k < levels.size(); ++k)
         {
-          const bool   known = agrees_with_last(levels, k, probe);
-          const double error = error_on(levels, k, probe);
-          is_confirmed       = is_confirmed && known;
+          const bool   known = is_confirmed(levels, k, probe);
+          const double error = believed_error(levels, k, probe);
+          all_known          = all_known && known;
           so_far += seconds(levels[k]);
           out << std::setw(12) << levels[k].n_displacements << ' '
               << std::setw(15) << std::setprecision(8)
@@ -421,11 +471,14 @@ namespace Contact
           out << (known ? "  " : "? ") << std::setw(14) << std::setprecision(3)
               << so_far << '\n';
         }
-      if (!is_confirmed)
+      if (!all_known)
         out
-          << "    ?: value and error lead elsewhere than on the mesh before, or the "
-             "values of three\n       meshes do, by more than twice this error, "
-             "or there is no mesh before\n";
+          << "    ?: no mesh before confirms it, or it may be larger: "
+          << (has_estimates(levels.back())
+                ? "at a corner in\n       contact, where contact is less than "
+                  "four facets wide, of a value that goes on\n       in equal "
+                  "steps\n"
+                : "steps from mesh to\n       mesh do not halve\n");
     }
   } // namespace
 
@@ -433,7 +486,7 @@ namespace Contact
 
   void print_accuracy(std::ostream &out, const RunSummary &summary)
   {
-    if (summary.levels.size() < 2 && !all_have_estimates(summary.levels))
+    if (summary.levels.size() < 2)
       return;
     out << "Accuracy and its price:\n";
     for (const ProbeResult &probe : summary.probes)
@@ -441,7 +494,7 @@ namespace Contact
         const bool estimated = has_estimates(summary.levels.back());
         out << "  " << probe.name << " [" << probe.unit << "]\n"
             << "    unknowns           value  "
-            << (estimated ? "est. error" : " by values")
+            << (estimated ? "     error" : " by values")
             << "  seconds so far\n";
         print_levels(out, summary.levels, probe.name);
         if (estimated)

@@ -105,10 +105,34 @@ namespace Contact
                          const unsigned int              number,
                          const std::string              &probe);
 
+  /// The error of a probe on the level @p number that a run believes, by
+  /// estimates: twice the estimated error, which is trusted to that factor and
+  /// mostly much better; or how far its value on a fine mesh, as estimated on
+  /// this level, is from that of the level before, which was less accurate; or
+  /// where the values of the last three lead to. Without estimates by the
+  /// values: error_by_values().
+  double believed_error(const std::vector<LevelRecord> &levels,
+                        const unsigned int              number,
+                        const std::string              &probe);
+
+  /// Why no estimate of the error on this level is believed, or nothing: a
+  /// traction in a zone of contact that the mesh does not resolve, or a value
+  /// that has gone on in equal steps over four meshes, as a logarithm.
+  std::string doubt(const std::vector<LevelRecord> &levels,
+                    const unsigned int              number,
+                    const std::string              &probe);
+
+  /// Whether the level before confirms believed_error(): the first one has
+  /// none, and at a corner in contact an estimate sees a part of the error.
+  bool is_confirmed(const std::vector<LevelRecord> &levels,
+                    const unsigned int              number,
+                    const std::string              &probe);
+
   /// Whether the level @p number and the one before it estimate the same limit
   /// of a probe, and the last three lead there, as far as the error of this
-  /// level can tell; the first one does not, nor at a corner in contact.
-  /// Without estimates, whether steps from mesh to mesh at least halve.
+  /// level can tell: then errors have a rate; the first one does not, nor at a
+  /// corner in contact. Without estimates, whether steps from mesh to mesh at
+  /// least halve.
   bool agrees_with_last(const std::vector<LevelRecord> &levels,
                         const unsigned int              number,
                         const std::string              &probe);

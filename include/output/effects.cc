@@ -246,6 +246,11 @@ namespace Contact
                            ? "stresses recovered and errors estimated on each"
                            : "each starts from the last one",
                          "Refinement/Levels"});
+    if (parameters.solves_dual_problems() && !parameters.has_levels())
+      effects.push_back({"errors",
+                         "dual weighted residuals",
+                         "a linear solve for each probe",
+                         "Probes/Errors"});
     effects.push_back(
       effect_of_files(parameters.output,
                       parameters.output.profile && interface != nullptr));

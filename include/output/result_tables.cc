@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <ostream>
 #include <set>
 
@@ -66,8 +67,8 @@ namespace Contact
                 std::filesystem::path(summary.mesh_file).stem().string(),
                 probe.name + " [" + probe.unit + "]",
                 format_value(probe, probe.value),
-                probe.error ? format("%.1e", *probe.error) +
-                                (probe.error_is_confirmed ? "" : "?")
+                probe.error ? (probe.error_may_be_larger ? ">" : "") +
+                                format("%.1e", *probe.error)
                             : "-",
                 "-",
                 "-",
@@ -114,6 +115,44 @@ namespace Contact
           out << text.substr(0, text.find_last_not_of(' ') + 1) << '\n';
           if (l == 0)
             out << rule << '\n';
+        }
+    }
+
+
+
+    /// What estimates the error of a probe, or why nothing does.
+    std::string kind_of_error(const ProbeResult &probe)
+    {
+      if (!probe.error)
+        return probe.not_estimated.empty()
+                 ? ""
+                 : "not estimated: " + probe.not_estimated;
+      if (probe.estimator == "dual weighted residuals" &&
+          !probe.error_is_confirmed && !probe.error_may_be_larger)
+        return "twice the estimate by dual weighted residuals on this mesh alone";
+      return probe.estimator +
+             (probe.error_may_be_larger ? "; >: it may be larger" : "");
+    }
+
+
+
+    /// A line for each kind, with its cases if there are others.
+    void print_kinds_of_errors(std::ostream                  &out,
+                               const std::vector<RunSummary> &summaries)
+    {
+      std::map<std::string, std::set<std::string>> kinds;
+      for (const RunSummary &summary : summaries)
+        if (summary.converged)
+          for (const ProbeResult &probe : summary.probes)
+            if (const std::string kind = kind_of_error(probe); !kind.empty())
+              kinds[kind].insert(summary.case_name);
+      for (const auto &[kind, cases] : kinds)
+        {
+          out << "error est.";
+          if (cases.size() < summaries.size())
+            for (const std::string &name : cases)
+              out << (name == *cases.begin() ? " of " : ", ") << name;
+          out << ": " << kind << '\n';
         }
     }
 
@@ -207,6 +246,7 @@ namespace Contact
 
     // Names to the left, numbers to the right.
     print_lines(out, lines, {3, 4, 5, 6, 7});
+    print_kinds_of_errors(out, summaries);
 
     for (const RunSummary &summary : summaries)
       if (!summary.converged)

@@ -101,6 +101,9 @@ namespace Contact
               {"estimator", probe.error ? Json(probe.estimator) : Json()},
               {"error_is_confirmed",
                probe.error ? Json(probe.error_is_confirmed) : Json()},
+              {"error_may_be_larger",
+               probe.error ? Json(probe.error_may_be_larger) : Json()},
+              {"not_estimated", probe.not_estimated},
               {"reference", to_json(probe.reference)},
               {"relative_deviation", to_json(probe.relative_deviation())},
               {"tolerance", to_json(probe.tolerance)},
@@ -273,6 +276,10 @@ namespace Contact
         {
           json["levels"].push_back(
             to_json(summary.levels[k], summary.probe_names));
+          for (const auto &[name, value] : summary.levels[k].probes)
+            if (const double error = believed_error(summary.levels, k, name);
+                std::isfinite(error))
+              json["levels"].back()["errors"][name] = error;
           json["levels"].back()["forecast"] = forecast_after(summary.levels, k);
         }
       add_pairs(summary.contact, json);
@@ -293,14 +300,18 @@ namespace Contact
 
   void take_errors_of_level(RunSummary &summary)
   {
+    const unsigned int last = summary.levels.size() - 1;
     for (ProbeResult &probe : summary.probes)
       {
-        probe.error =
-          std::abs(summary.levels.back().errors.mesh.at(probe.name));
-        probe.estimator          = "dual weighted residuals";
-        probe.error_is_confirmed = agrees_with_last(summary.levels,
-                                                    summary.levels.size() - 1,
-                                                    probe.name);
+        probe.error     = believed_error(summary.levels, last, probe.name);
+        probe.estimator = "dual weighted residuals";
+        probe.error_is_confirmed =
+          is_confirmed(summary.levels, last, probe.name);
+        probe.error_may_be_larger =
+          !probe.error_is_confirmed &&
+          (last > 0 ||
+           summary.levels[last].errors.at_corners.count(probe.name) > 0 ||
+           !doubt(summary.levels, last, probe.name).empty());
       }
   }
 
@@ -316,7 +327,11 @@ namespace Contact
                             summary.levels.back().n_displacements;
                    });
     if (coarser == summary.levels.rend())
-      return;
+      {
+        for (ProbeResult &probe : summary.probes)
+          probe.not_estimated = summary.levels.back().errors.not_estimated;
+        return;
+      }
     const unsigned int n_refinements = coarser - summary.levels.rbegin();
     const auto         has_become    = [&](const unsigned int children) {
       return summary.levels.back().n_cells ==
@@ -337,6 +352,7 @@ namespace Contact
             probe.error_is_confirmed =
               agrees_with_last(summary.levels, last, probe.name);
           }
+        probe.error_may_be_larger = !probe.error_is_confirmed;
       }
   }
 

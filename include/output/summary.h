@@ -42,8 +42,14 @@ namespace Contact
     std::string           estimator = {};
 
     /// Whether the mesh before confirms an estimate by dual weighted residuals,
-    /// see agrees_with_last().
-    bool error_is_confirmed = true;
+    /// see agrees_with_last(); without an estimate the reason, or nothing if
+    /// none was asked for.
+    bool        error_is_confirmed = true;
+    std::string not_estimated      = {};
+
+    /// Whether something tells that the error may be larger: levels that do not
+    /// agree, a corner, a zone of contact that the mesh does not resolve.
+    bool error_may_be_larger = false;
 
     /// Where effects are estimated, in the unit of the value: the error that
     /// is accepted, 1 % unless an accuracy is asked for, and what the loops

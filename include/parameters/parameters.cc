@@ -150,11 +150,51 @@ namespace Contact
 
 
 
+    namespace
+    {
+      // Whether polygons of two circles touch: where only one of them is
+      // refined, what they are off each other counts as a gap.
+      bool has_facing_polygons(const All &scene)
+      {
+        const auto pairs = scene.pairs();
+        return scene.element.degree == 1 &&
+               std::any_of(pairs.begin(),
+                           pairs.end(),
+                           [&](const Contact &pair) {
+                             return scene.mesh.is_round(pair.slave) &&
+                                    scene.mesh.is_round(pair.master);
+                           });
+      }
+    } // namespace
+
+
+
     bool All::refines_adaptively(const bool has_only_hypercubes) const
     {
       return refinement.strategy == Strategy::adaptive ||
              (refinement.strategy == Strategy::automatic && follows_goals() &&
-              has_only_hypercubes);
+              has_only_hypercubes && !has_facing_polygons(*this));
+    }
+
+
+
+    bool All::solves_dual_problems() const
+    {
+      const bool by_default = probes.errors && !probes.probes.empty() &&
+                              !has_levels() && !probes.estimate_errors;
+      return probes.dual_weighted_residuals || follows_goals() ||
+             (by_default && !missing_dual_problem("Probes/Errors"));
+    }
+
+
+
+    std::string All::missing_errors() const
+    {
+      if (!probes.errors || has_levels() || probes.estimate_errors ||
+          solves_dual_problems())
+        return "";
+      const auto missing = missing_dual_problem("Probes/Errors");
+      return missing ? missing->problem : "";
     }
 
 

@@ -101,6 +101,14 @@ namespace Contact
         return asks_for_accuracy() && !missing_dual_problem("Probes/Accuracy");
       }
 
+      /// Whether probes have their errors from dual problems: where these are
+      /// asked for, and of a single mesh. Levels tell them by their values,
+      /// and so does the mesh refined once, if there is a run on it.
+      bool solves_dual_problems() const;
+
+      /// Why nothing tells the errors of probes on a single mesh, or nothing.
+      std::string missing_errors() const;
+
       /// Whether the multipliers are eliminated from the linear system, of a
       /// mesh with so many displacements; 0: as far as the entries tell.
       bool is_condensed(const std::size_t n_displacements = 0) const;

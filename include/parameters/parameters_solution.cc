@@ -213,6 +213,11 @@ namespace Contact
 
     void Probes::add_errors(ParameterHandler &prm)
     {
+      prm.add_parameter("Errors",
+                        errors,
+                        "Estimate the discretization error of the probes [-]: "
+                        "of levels by their values, of a single mesh in 2-D by "
+                        "a dual problem for each of them.");
       prm.add_parameter("Estimate errors",
                         estimate_errors,
                         "Estimate the discretization error of the probes [-]. "

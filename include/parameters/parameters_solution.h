@@ -123,7 +123,10 @@ namespace Contact
       std::map<std::string, double> references;
       std::map<std::string, double> tolerances;
 
-      /// Estimate the discretization error of the probes on a refined mesh.
+      /// Estimate the discretization error of the probes, by what the run has.
+      bool errors = true;
+
+      /// Estimate it on a refined mesh.
       bool estimate_errors = false;
 
       /// Estimate it by dual weighted residuals, see GoalErrors.

@@ -114,6 +114,7 @@ BLOCKS = {
     "Solution/Increments": "1",
     "Solution/Geometry": "undeformed",
     "Probes/Probes": "head: displacement y, Head",
+    "Probes/Errors": "false",
 }
 CONTACT = {"Contact/Slave": "Slave", "Contact/Master": "Master",
            "Contact/Discretization": "mortar"}

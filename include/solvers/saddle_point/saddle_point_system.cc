@@ -273,6 +273,24 @@ namespace Contact
 
 
 
+  bool SaddlePointSystem::has_tangent_of(const IncrementState<2> &state) const
+  {
+    if (!solver.is_factorized() || !stresses_turn || pattern.empty() ||
+        pattern_version != discretization.pattern_version() ||
+        factorized_version != elasticity.tangent_version())
+      return false;
+    if (interface &&
+        (factorized_statuses != interface->active_set.signature() ||
+         (interface->has_coulomb_friction() && !interface->bounds.follow)))
+      return false;
+    return has_frozen_geometry() || is_nearby(discretization,
+                                              state.solution,
+                                              factorized_at,
+                                              state.start);
+  }
+
+
+
   void SaddlePointSystem::solve_transposed(GhostedVector &b) const
   {
     TimerOutput::Scope scope(timer, "solution");

@@ -106,6 +106,10 @@ namespace Contact
                    const GhostedVector &u_start,
                    const double         load_factor);
 
+    /// Whether the factorization at hand is that of the tangent in a state with
+    /// its statuses, as good as is_nearby() tells.
+    bool has_tangent_of(const IncrementState<2> &state) const;
+
     /// Replace the functional @p b of all unknowns by the solution of the
     /// transposed system, which meets homogeneous constraints.
     void solve_transposed(GhostedVector &b) const;
