@@ -57,7 +57,7 @@ namespace
       const auto     &slave = interface.pairs[0]->slave;
       const EdgeShape shape(slave.degree, point.slave_xi);
       double          x = 0;
-      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
         x += shape.value[a] *
              slave.nodes[slave.facets[point.slave_facet].nodes[a]].X[0];
       return x;

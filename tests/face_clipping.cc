@@ -18,7 +18,7 @@ using namespace Contact;
 
 namespace
 {
-  double common_area(const PlaneQuadrangle &a, const PlaneQuadrangle &b)
+  double common_area(const PlaneFacet &a, const PlaneFacet &b)
   {
     double result = 0;
     for (const PlaneTriangle &triangle : intersection(a, b))
@@ -29,22 +29,21 @@ namespace
 
 
   // Corners in the order of deal.II, from the place of the first one.
-  PlaneQuadrangle square(const Point<2> &corner,
-                         const double    side,
-                         const double    angle,
-                         const bool      mirrored)
+  PlaneFacet square(const Point<2> &corner,
+                    const double    side,
+                    const double    angle,
+                    const bool      mirrored)
   {
     const Tensor<1, 2> s({side * std::cos(angle), side * std::sin(angle)});
     const Tensor<1, 2> t({-s[1], s[0]});
     return mirrored
-             ? PlaneQuadrangle{{corner, corner + t, corner + s, corner + s + t}}
-             : PlaneQuadrangle{
-                 {corner, corner + s, corner + t, corner + s + t}};
+             ? PlaneFacet{corner, corner + t, corner + s, corner + s + t}
+             : PlaneFacet{corner, corner + s, corner + t, corner + s + t};
   }
 
 
 
-  void move(PlaneQuadrangle &q, const double by, std::mt19937 &random)
+  void move(PlaneFacet &q, const double by, std::mt19937 &random)
   {
     std::uniform_int_distribution<> step(-1, 1);
     for (Point<2> &corner : q)
@@ -65,9 +64,8 @@ namespace
         const Tensor<1, 2> along({std::cos(angle), std::sin(angle)});
         const Point<2>     origin(-0.5, -0.5);
         const bool         mirrored = k % 2;
-        PlaneQuadrangle    a        = square(origin, 1, angle, mirrored);
-        PlaneQuadrangle    b =
-          square(origin + shift * along, 1.2, angle, k % 3 == 0);
+        PlaneFacet         a        = square(origin, 1, angle, mirrored);
+        PlaneFacet b = square(origin + shift * along, 1.2, angle, k % 3 == 0);
         move(a, noise, random);
         move(b, noise, random);
         worst = std::max({worst,
@@ -83,10 +81,9 @@ namespace
   // A square and itself turned by 45 degrees about its middle: an octagon.
   void octagon()
   {
-    const PlaneQuadrangle a = square(Point<2>(-1, -1), 2, 0, false);
-    const PlaneQuadrangle b =
-      square(Point<2>(0, -std::sqrt(2.)), 2, M_PI / 4, true);
-    const double exact = 8 * (std::sqrt(2.) - 1);
+    const PlaneFacet a = square(Point<2>(-1, -1), 2, 0, false);
+    const PlaneFacet b = square(Point<2>(0, -std::sqrt(2.)), 2, M_PI / 4, true);
+    const double     exact = 8 * (std::sqrt(2.) - 1);
     std::cout << "octagon: "
               << (std::abs(common_area(a, b) - exact) < 1e-13 ? "ok" : "FAILED")
               << std::endl;
@@ -100,7 +97,7 @@ int main()
   for (const double noise : {0., 1e-16, 1e-15, 1e-14, 1e-12})
     sides_on_each_other(noise);
   octagon();
-  const PlaneQuadrangle a = square(Point<2>(0, 0), 1, 0, false);
+  const PlaneFacet a = square(Point<2>(0, 0), 1, 0, false);
   std::cout << "side by side: "
             << (intersection(a, square(Point<2>(1, 0), 1, 0, false)).empty()
                   ? "ok"

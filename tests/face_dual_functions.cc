@@ -39,7 +39,7 @@ namespace
           sample.slave_xi[i] =
             part.from[i] + (part.to[i] - part.from[i]) * rule.point(q)[i];
 
-        sample.slave_values = FacetShape<3>::values(1, sample.slave_xi);
+        sample.slave_values = facet_kind<3>(4, 1).values(sample.slave_xi);
         sample.weight       = rule.weight(q);
         for (unsigned int i = 0; i < 2; ++i)
           sample.weight *= (part.to[i] - part.from[i]) / 2;
@@ -59,7 +59,10 @@ namespace
       carries[a] = {{a, 1.}};
     carries[3]                       = last;
     const auto               samples = samples_of(part);
-    const FacetDualFunctions dual(1, samples, {.25, .25, .25, .25}, carries);
+    const FacetDualFunctions dual(facet_kind<3>(4, 1),
+                                  samples,
+                                  {.25, .25, .25, .25},
+                                  carries);
 
     const unsigned int n = dual.nodes().size();
     Vector<double>     integrals(n), of_tests(n);

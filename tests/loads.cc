@@ -67,7 +67,7 @@ namespace
           const EdgeShape shape(surface.degree, 2 * quadrature.point(q)[0] - 1);
           Point<2>        X;
           Tensor<1, 2>    along;
-          for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+          for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
             {
               const Tensor<1, 2> node = surface.nodes[edge.nodes[a]].X;
               X += shape.value[a] * node;

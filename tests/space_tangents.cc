@@ -13,6 +13,7 @@
 //  - the matrix without multipliers is the derivative of the condensed forces;
 //  - Newton's method with friction is quadratic, statuses and directions
 //    following, while a block is dragged and turned.
+// The bodies are of hexahedra, of tetrahedra, or one of each.
 
 #include <functional>
 
@@ -28,6 +29,7 @@ namespace
     std::string  rule;
     unsigned int degree;
     std::string  kinematics;
+    bool         low_is_split = false, up_is_split = false;
   };
 
 
@@ -35,7 +37,8 @@ namespace
   std::string named(const Case &c)
   {
     return c.rule + ", degree " + std::to_string(c.degree) + ", " +
-           c.kinematics;
+           c.kinematics + (c.low_is_split ? ", tetrahedra below" : "") +
+           (c.up_is_split ? ", tetrahedra above" : "");
   }
 
 
@@ -60,8 +63,14 @@ namespace
     VolumeText mesh;
     mesh.block("Low",
                {{has_ridge ? 4u : 3u, 3, 1}},
-               inclined({-0.5, -0.5, -1}, {has_ridge ? 1.5 : 1.8, 1.6, 0}));
-    mesh.block("Up", {{2, 2, 1}}, inclined({0, 0, 0}, {1, 1, 1}));
+               inclined({-0.5, -0.5, -1}, {has_ridge ? 1.5 : 1.8, 1.6, 0}),
+               VolumeText::gmsh_order,
+               c.low_is_split);
+    mesh.block("Up",
+               {{2, 2, 1}},
+               inclined({0, 0, 0}, {1, 1, 1}),
+               VolumeText::gmsh_order,
+               c.up_is_split);
     mesh.write("volume.msh");
 
     Parameters::All parameters;
@@ -464,5 +473,19 @@ int main()
             convergence({rule, degree, kinematics});
           }
       }
+  for (const Case &c : {Case{"nodal", 1, "large displacement", true, true},
+                        Case{"mortar", 1, "large displacement", true, true},
+                        Case{"mortar", 2, "large displacement", true, true},
+                        Case{"mortar", 2, "large displacement", false, true},
+                        Case{"mortar", 2, "large displacement", true, false}})
+    {
+      points_of_contact(c, false);
+      turning(c, false);
+      pairing(c, false);
+      condensed_matrix(c);
+      // With hexahedra below, slave nodes slide over edges of the master.
+      if (c.low_is_split)
+        convergence(c);
+    }
   return 0;
 }

@@ -15,8 +15,8 @@ Proves that
 - a cantilever has the deflection of one of hexahedra, beside which it stands in the
   same scene; degree 2 is the default, and degree 1 is told to be too stiff;
 - a boundary is rigid, bodies have a weight, and a place has its probes;
-- what there is not is refused: contact of such surfaces, hexahedra glued to
-  tetrahedra, other volumes, cells that their curved sides turn inside out.
+- what there is not is refused: nodal points of slaves with 6 nodes, hexahedra glued
+  to tetrahedra, other volumes, cells that their curved sides turn inside out.
 
 Usage: tetrahedra.py CONTACT PARAMETERS MESHES
 """
@@ -28,82 +28,9 @@ import subprocess
 import sys
 
 from block_scenes import check, failures, run, violations
-from volume_scenes import CORNERS
+from tetrahedra_scenes import Solid
 
 E, NU = 1000., 0.3
-EDGES = ((0, 1), (1, 2), (0, 2), (0, 3), (2, 3), (1, 3))  # in gmsh's order
-KINDS = {(0, 1): 15, (2, 3): 2, (2, 6): 9, (2, 4): 3, (3, 4): 4, (3, 10): 11,
-         (3, 8): 5}
-
-
-class Solid:
-    """Blocks, each the image of a unit cube, whose cells are hexahedra or six
-    tetrahedra of 4 or 10 nodes; sides are the groups BODY_x0, BODY_x1, ..."""
-
-    def __init__(self):
-        self.nodes, self.elements, self.groups = [], [], {}
-
-    def add(self, dimension, group, nodes):
-        tag = self.groups.setdefault((dimension, group), len(self.groups) + 1)
-        self.elements.append((KINDS[dimension, len(nodes)], tag, nodes))
-
-    def block(self, body, n, chart, nodes_of_cell=4, shared=None):
-        """Nodes are at half steps. 'shared': their numbers, from another block."""
-        number = {} if shared is None else shared
-
-        def node(place):
-            if place not in number:
-                self.nodes.append(chart(*(c / (2 * m)
-                                          for c, m in zip(place, n))))
-                number[place] = len(self.nodes)
-            return number[place]
-
-        def simplex(dimension, group, corners):
-            nodes = [node(c) for c in corners]
-            if nodes_of_cell == 10:
-                nodes += [node(tuple((a + b) // 2 for a, b in zip(
-                    corners[i], corners[j])))
-                          for i, j in EDGES[:3 * (dimension - 1)]]
-            self.add(dimension, group, nodes)
-        for i in itertools.product(*(range(0, 2 * m, 2) for m in n)):
-            if nodes_of_cell == 8:
-                self.add(3, body, [node(tuple(a + 2 * b for a, b in zip(i, c)))
-                                   for c in CORNERS])
-                continue
-            for order in itertools.permutations(range(3)):
-                path = [i]
-                for d in order:
-                    path.append(tuple(c + 2 * (k == d)
-                                      for k, c in enumerate(path[-1])))
-                simplex(3, body, path)
-        for d, side in itertools.product(range(3), range(2)):
-            group = f"{body}_{'xyz'[d]}{side}"
-            others = [range(0, 2 * m, 2) for k, m in enumerate(n) if k != d]
-            for i in itertools.product(*others):
-                def at(a, b):
-                    place = [i[0] + a, i[1] + b]
-                    place.insert(d, 2 * n[d] * side)
-                    return tuple(place)
-                if nodes_of_cell == 8:
-                    self.add(2, group, [node(at(*c)) for c in
-                                        ((0, 0), (2, 0), (2, 2), (0, 2))])
-                else:
-                    simplex(2, group, [at(0, 0), at(2, 0), at(2, 2)])
-                    simplex(2, group, [at(0, 0), at(0, 2), at(2, 2)])
-        return number
-
-    def write(self, name):
-        lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames",
-                 str(len(self.groups))]
-        lines += [f'{d} {tag} "{g}"' for (d, g), tag in self.groups.items()]
-        lines += ["$EndPhysicalNames", "$Nodes", str(len(self.nodes))]
-        lines += [f"{i + 1} " + " ".join(map(repr, p))
-                  for i, p in enumerate(self.nodes)]
-        lines += ["$EndNodes", "$Elements", str(len(self.elements))]
-        lines += [f"{i + 1} {kind} 2 {tag} {tag} " + " ".join(map(str, nodes))
-                  for i, (kind, tag, nodes) in enumerate(self.elements)]
-        lines += ["$EndElements", ""]
-        pathlib.Path(f"{name}.msh").write_text("\n".join(lines))
 
 
 def solved(what, name, entries, ranks=1):
@@ -358,8 +285,9 @@ def refused():
     mesh.block("A", (1, 1, 1), box(0))
     mesh.block("B", (1, 1, 1), box(1))
     mesh.write("refused")
-    refusal("contact", "do not take part in contact",
-            {"Contact/Slave": "A_x1", "Contact/Master": "B_x0"}, 2)
+    refusal("nodal points of 6 nodes", "triangles of 6 nodes",
+            {"Contact/Slave": "A_x1", "Contact/Master": "B_x0",
+             "Contact/Discretization": "nodal"}, 2)
     refusal("adaptive refinement", "has tetrahedra",
             {"Refinement/Levels": 2, "Refinement/Strategy": "adaptive"})
     refusal("incompatible modes", "no incompatible modes of tetrahedra",

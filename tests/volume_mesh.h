@@ -34,7 +34,7 @@ namespace Contact
 
 
 
-  /// A mesh made of blocks of hexahedra, written as a gmsh file.
+  /// A mesh made of blocks of hexahedra or tetrahedra, written as a gmsh file.
   class VolumeText
   {
   public:
@@ -44,7 +44,8 @@ namespace Contact
     static constexpr Order gmsh_order = {{0, 1, 2, 3, 4, 5, 6, 7}};
 
     /**
-     * The body @p name of @p n hexahedra along each direction. Its sides are
+     * The body @p name of @p n hexahedra along each direction, or six
+     * tetrahedra for each, round the diagonal from its first corner. Sides are
      * the groups "NAME left" (s = 0), "right", "front" (t = 0), "back",
      * "bottom" and "top", the corner at the origin of the cube the group "NAME
      * corner".
@@ -52,7 +53,8 @@ namespace Contact
     void block(const std::string                 &name,
                const std::array<unsigned int, 3> &n,
                const VolumeChart                 &chart,
-               const Order                       &order = gmsh_order)
+               const Order                       &order         = gmsh_order,
+               const bool                         of_tetrahedra = false)
     {
       const unsigned int first = nodes.size() + 1;
       for (unsigned int k = 0; k <= n[2]; ++k)
@@ -78,6 +80,11 @@ namespace Contact
                  node(i + 1, j, k + 1),
                  node(i + 1, j + 1, k + 1),
                  node(i, j + 1, k + 1)}};
+              if (of_tetrahedra)
+                {
+                  add_tetrahedra(name, corners);
+                  continue;
+                }
               std::vector<unsigned int> listed;
               for (const unsigned int c : order)
                 listed.push_back(corners[c]);
@@ -101,12 +108,30 @@ namespace Contact
                     i[f] = y;
                     return node(i[0], i[1], i[2]);
                   };
-                  add(2,
-                      name + ' ' + sides[d][end],
+                  const std::string side = name + ' ' + sides[d][end];
+                  if (!of_tetrahedra)
+                    add(
+                      2,
+                      side,
                       {at(a, b), at(a + 1, b), at(a + 1, b + 1), at(a, b + 1)});
+                  else
+                    for (const unsigned int other :
+                         {at(a + 1, b), at(a, b + 1)})
+                      add(2, side, {at(a, b), other, at(a + 1, b + 1)}, 2);
                 }
           }
       add(0, name + " corner", {node(0, 0, 0)});
+    }
+
+    /// The tetrahedra of a hexahedron, each from corner to corner along three
+    /// edges in another order.
+    void add_tetrahedra(const std::string                 &name,
+                        const std::array<unsigned int, 8> &corners)
+    {
+      const std::array<std::array<unsigned int, 2>, 6> paths = {
+        {{{1, 2}}, {{1, 5}}, {{3, 2}}, {{3, 7}}, {{4, 5}}, {{4, 7}}}};
+      for (const auto &[a, b] : paths)
+        add(3, name, {corners[0], corners[a], corners[b], corners[6]}, 4);
     }
 
     /// An element of any dimension and of gmsh's type by its corners.

@@ -25,19 +25,6 @@ namespace Contact
 
 
 
-    /// Values are not extrapolated to the overhang beyond the end.
-    double onto_facet(const double xi)
-    {
-      return std::max(-1., std::min(1., xi));
-    }
-
-    Point<2> onto_facet(const Point<2> &xi)
-    {
-      return {onto_facet(xi[0]), onto_facet(xi[1])};
-    }
-
-
-
     /// In terms of an edge's own outward normal n, which on the slave is that
     /// of the master reversed, both sides have -(p n + q t), t = n turned by
     /// +90 degrees.
@@ -64,10 +51,10 @@ namespace Contact
                               const SurfaceFacet<dim> &facet,
                               const FacetPoint<dim>   &xi,
                               const GhostedVector     &u)
-    : shape(surface.degree, xi)
+    : shape(*facet.kind, xi)
   {
     std::array<Tensor<1, dim>, dim - 1> along_undeformed;
-    for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+    for (unsigned int a = 0; a < facet.n_nodes(); ++a)
       {
         const unsigned int node     = facet.nodes[a];
         const Point<dim>   position = surface.position(node, u);
@@ -90,7 +77,7 @@ namespace Contact
                const Surface<dim>        &surface,
                const SurfaceFacet<dim>   &facet)
   {
-    for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+    for (unsigned int a = 0; a < facet.n_nodes(); ++a)
       for (const auto dof : surface.nodes[facet.nodes[a]].dofs)
         if (discretization.is_tied(dof))
           return true;
@@ -185,7 +172,7 @@ namespace Contact
                                      const FacetPlace<dim> &place) const
   {
     Tensor<1, dim> traction;
-    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+    for (unsigned int a = 0; a < slave.facets[facet].n_nodes(); ++a)
       {
         const unsigned int node = slave.facets[facet].nodes[a];
         traction += place.shape.value[a] * at_nodes[node];
@@ -209,9 +196,10 @@ namespace Contact
     const SurfaceFacet<dim> &facet = slave.facets[projection.facet];
     if (is_tied(discretization, slave, facet))
       return {};
+    // Values are not extrapolated to the overhang beyond the end.
     const FacetPlace<dim> there(slave,
                                 facet,
-                                onto_facet(projection.xi),
+                                facet.kind->inside(projection.xi),
                                 solution);
     return in_frame(place,
                     place.stretch() / there.stretch() *

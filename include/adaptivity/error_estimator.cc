@@ -85,6 +85,7 @@ namespace Contact
                 facets.at(facet_name(discretization, face));
               neighborhoods[e].cell = cell->active_cell_index();
               auto &vertices        = neighborhoods[e].vertices;
+              vertices.resize(face->n_vertices());
               for (unsigned int a = 0; a < vertices.size(); ++a)
                 {
                   const Point<dim> &X =
@@ -195,15 +196,18 @@ namespace Contact
     const auto              &vertices = neighborhoods[e].vertices;
     const double             h        = boundary.reference_length(e);
 
-    const QGauss<dim - 1> quadrature(boundary.degree + 1);
-    double                integral = 0;
+    const auto cell =
+      ReferenceCell::n_vertices_to_type(dim - 1, vertices.size());
+    const Quadrature<dim - 1> quadrature =
+      cell.template get_gauss_type_quadrature<dim - 1>(boundary.degree + 1);
+    double integral = 0;
     for (unsigned int q = 0; q < quadrature.size(); ++q)
       {
         const Point<dim - 1> &zeta = quadrature.point(q);
         const FacetPlace<dim> place(boundary, facet, in_facet(zeta), solution);
         SymmetricTensor<2, dim> stress;
         for (unsigned int v = 0; v < vertices.size(); ++v)
-          stress += GeometryInfo<dim - 1>::d_linear_shape_function(zeta, v) *
+          stress += cell.d_linear_shape_function(zeta, v) *
                     in_space<dim>(vertex_stresses[vertices[v]]);
 
         Tensor<1, dim> residual = stress_traction(stress, place, facet.body);
@@ -251,7 +255,7 @@ namespace Contact
   {
     const auto is_held = [&](const Tensor<1, dim> &direction) {
       const double round_off = 1e-8;
-      for (unsigned int a = 0; a < boundary.n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < facet.n_nodes(); ++a)
         if (discretization
               .free_part(boundary.nodes[facet.nodes[a]].dofs, direction)
               .norm() > round_off)

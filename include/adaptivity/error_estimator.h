@@ -77,8 +77,7 @@ namespace Contact
       unsigned int cell = numbers::invalid_unsigned_int;
 
       /// Vertices of the triangulation, in the order of the facet's nodes.
-      std::array<unsigned int, GeometryInfo<dim - 1>::vertices_per_cell>
-        vertices;
+      std::vector<unsigned int> vertices;
     };
 
     void find_neighborhoods();

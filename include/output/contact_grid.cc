@@ -43,39 +43,27 @@ namespace Contact
 
 
 
-    void add_facet(const SurfaceFacet<2> &edge,
-                   const unsigned int     degree,
-                   VtuGrid               &grid)
+    void add_facet(const SurfaceFacet<2> &edge, VtuGrid &grid)
     {
       const auto add_line = [&](const unsigned int a, const unsigned int b) {
         grid.add_cell<1>({static_cast<std::int32_t>(edge.nodes[a]),
                           static_cast<std::int32_t>(edge.nodes[b])},
                          {Point<1>(0), Point<1>(1)});
       };
-      if (degree == 1)
+      if (edge.kind->degree == 1)
         return add_line(0, 1);
       add_line(0, 2);
       add_line(2, 1);
     }
 
-    /// Corners in the order of deal.II, then the middles of the sides left,
-    /// right, front and back, and of the facet.
-    void add_facet(const SurfaceFacet<3> &facet,
-                   const unsigned int     degree,
-                   VtuGrid               &grid)
+    void add_facet(const SurfaceFacet<3> &facet, VtuGrid &grid)
     {
-      static const std::vector<Point<2>> units{{0, 0},
-                                               {1, 0},
-                                               {0, 1},
-                                               {1, 1},
-                                               {0, 0.5},
-                                               {1, 0.5},
-                                               {0.5, 0},
-                                               {0.5, 1},
-                                               {0.5, 0.5}};
-      const unsigned int                 n = degree == 1 ? 4 : 9;
-      grid.add_cell<2>({facet.nodes.begin(), facet.nodes.begin() + n},
-                       {units.begin(), units.begin() + n});
+      std::vector<Point<2>> units;
+      for (const Point<2> &place : facet.kind->places)
+        units.emplace_back((place[0] + 1) / 2, (place[1] + 1) / 2);
+      grid.add_cell<2>({facet.nodes.begin(),
+                        facet.nodes.begin() + facet.n_nodes()},
+                       units);
     }
   } // namespace
 
@@ -103,7 +91,7 @@ namespace Contact
       }
     grid.at_points = {displacement, pressure, shear, gap, slip, status};
     for (const SurfaceFacet<dim> &facet : contact_pair.slave->facets)
-      add_facet(facet, contact_pair.slave->degree, grid);
+      add_facet(facet, grid);
     return grid;
   }
 

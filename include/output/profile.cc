@@ -205,42 +205,31 @@ namespace Contact
 
 
 
-    /// The place of a facet that is closest to one in its plane: values are not
+    /// Give a row the contact values of a place on the slave. Values are not
     /// extrapolated to the overhang beyond the end.
-    double onto_facet(const double xi)
-    {
-      return std::max(-1., std::min(1., xi));
-    }
-
-    Point<2> onto_facet(const Point<2> &xi)
-    {
-      return {onto_facet(xi[0]), onto_facet(xi[1])};
-    }
-
-
-
-    /// Give a row the contact values of a place on the slave.
     template<int dim>
     void interpolate(const Surface<dim>                 &slave,
                      const std::vector<ProfileRow<dim>> &slave_rows,
                      const Projection<dim>              &place,
                      ProfileRow<dim>                    &row)
     {
-      const FacetShape<dim> shape(slave.degree, onto_facet(place.xi));
-      unsigned int          nearest = 0;
-      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      const SurfaceFacet<dim> &facet = slave.facets[place.facet];
+      const auto               values =
+        FacetShape<dim>::values(*facet.kind, facet.kind->inside(place.xi));
+      unsigned int nearest = 0;
+      for (unsigned int a = 0; a < facet.n_nodes(); ++a)
         {
-          const auto &from = slave_rows[slave.facets[place.facet].nodes[a]];
-          row.pressure += shape.value[a] * from.pressure;
-          row.shear += shape.value[a] * from.shear;
-          row.gap += shape.value[a] * from.gap;
-          row.slip += shape.value[a] * from.slip;
-          row.shear_vector += shape.value[a] * from.shear_vector;
-          row.slip_vector += shape.value[a] * from.slip_vector;
-          if (shape.value[a] > shape.value[nearest])
+          const auto &from = slave_rows[facet.nodes[a]];
+          row.pressure += values[a] * from.pressure;
+          row.shear += values[a] * from.shear;
+          row.gap += values[a] * from.gap;
+          row.slip += values[a] * from.slip;
+          row.shear_vector += values[a] * from.shear_vector;
+          row.slip_vector += values[a] * from.slip_vector;
+          if (values[a] > values[nearest])
             nearest = a;
         }
-      row.status = slave_rows[slave.facets[place.facet].nodes[nearest]].status;
+      row.status = slave_rows[facet.nodes[nearest]].status;
     }
 
 

@@ -14,24 +14,17 @@ namespace Contact
   namespace
   {
     /// Values between the corners of a facet are the mean of those there.
-    template<typename T>
-    void fill_middles(const SurfaceFacet<2> &edge, std::vector<T> &values)
+    template<int dim, typename T>
+    void fill_middles(const SurfaceFacet<dim> &facet, std::vector<T> &values)
     {
-      values[edge.nodes[2]] =
-        0.5 * (values[edge.nodes[0]] + values[edge.nodes[1]]);
-    }
-
-    template<typename T>
-    void fill_middles(const SurfaceFacet<3> &facet, std::vector<T> &values)
-    {
-      const auto &n = facet.nodes;
-      for (unsigned int s = 0; s < 4; ++s)
+      for (unsigned int a = facet.kind->n_vertices; a < facet.n_nodes(); ++a)
         {
-          const auto [a, b] = corners_of_side[s];
-          values[n[4 + s]]  = 0.5 * (values[n[a]] + values[n[b]]);
+          const auto &vertices = facet.kind->vertices_of_node[a];
+          T           sum{};
+          for (const unsigned int v : vertices)
+            sum += values[facet.nodes[v]];
+          values[facet.nodes[a]] = 1. / vertices.size() * sum;
         }
-      values[n[8]] =
-        0.25 * (values[n[0]] + values[n[1]] + values[n[2]] + values[n[3]]);
     }
 
 

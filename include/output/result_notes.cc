@@ -34,10 +34,9 @@ namespace Contact
       for (unsigned int e = 0; e < surface.facets.size(); ++e)
         if (in_contact[e])
           {
-            const SurfaceFacet<dim> &facet = surface.facets[e];
-            const unsigned int       n_corners =
-              GeometryInfo<dim - 1>::vertices_per_cell;
-            Tensor<1, dim> centre;
+            const SurfaceFacet<dim> &facet     = surface.facets[e];
+            const unsigned int       n_corners = facet.kind->n_vertices;
+            Tensor<1, dim>           centre;
             for (unsigned int a = 0; a < n_corners; ++a)
               centre += surface.nodes[facet.nodes[a]].X / n_corners;
             const double rise  = (facet.middle - centre).norm();

@@ -54,7 +54,7 @@ namespace Contact
                            const unsigned int            facet,
                            const types::global_dof_index dof)
     {
-      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < surface.facets[facet].n_nodes(); ++a)
         if (const unsigned int n = surface.facets[facet].nodes[a];
             surface.nodes[n].dofs[0] == dof)
           return n;

@@ -16,6 +16,7 @@
 
 #include "base/all_ranks.h"
 #include "base/errors.h"
+#include "mesh/face_middle.h"
 
 namespace Contact
 {
@@ -43,22 +44,6 @@ namespace Contact
                                 face->vertex(0),
                               face->vertex(2) - face->vertex(1)) /
              2;
-    }
-
-
-
-    /// How far the middle of a face is from that of its corners; of a
-    /// triangle the middles of its lines, deal.II has no other.
-    template<typename Face>
-    std::vector<Tensor<1, Face::AccessorType::space_dimension>>
-    bulges_of(const Face &face)
-    {
-      const auto bulge = [](const auto &part) {
-        return part->center(/*respect_manifold=*/true) - part->center();
-      };
-      if (face->n_vertices() != 3)
-        return {bulge(face)};
-      return {bulge(face->line(0)), bulge(face->line(1)), bulge(face->line(2))};
     }
 
 
@@ -141,11 +126,11 @@ namespace Contact
     for_coarse_faces(mesh,
                      plane.boundary_ids,
                      [&](const auto &face, const Tensor<1, dim> &area) {
+                       const Tensor<1, dim> bulge =
+                         middle_of_face(face) - face->center();
                        is_flat =
-                         is_flat && (area / area.norm() - sum).norm() <= flat;
-                       for (const Tensor<1, dim> &bulge : bulges_of(face))
-                         is_flat = is_flat && std::abs(bulge * sum) <=
-                                                flat * face->diameter();
+                         is_flat && (area / area.norm() - sum).norm() <= flat &&
+                         std::abs(bulge * sum) <= flat * face->diameter();
                      });
     if (!is_flat)
       throw InputError("'" + plane.name +

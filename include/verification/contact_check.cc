@@ -254,17 +254,14 @@ namespace Contact
   bool ContactCheck<dim>::carries_force(const ContactPair<dim> &contact_pair,
                                         const unsigned int slave_facet) const
   {
+    const SurfaceFacet<dim> &facet = contact_pair.slave.facets[slave_facet];
     for (const ContactPoint<dim> &point : interface.points())
       if (&interface.contact_pair(point) == &contact_pair &&
           point.status.kind != Status::open)
         for (unsigned int a = 0; a < point.n_nodes; ++a)
-          for (unsigned int b = 0; b < contact_pair.slave.n_nodes_per_facet();
-               ++b)
+          for (unsigned int b = 0; b < facet.n_nodes(); ++b)
             if (point.is_on_slave(a) &&
-                point.dofs(a) ==
-                  contact_pair.slave
-                    .nodes[contact_pair.slave.facets[slave_facet].nodes[b]]
-                    .dofs)
+                point.dofs(a) == contact_pair.slave.nodes[facet.nodes[b]].dofs)
               return true;
     return false;
   }

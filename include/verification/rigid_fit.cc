@@ -121,7 +121,7 @@ namespace Contact
   {
     double largest = 0;
     for (const SurfaceFacet<dim> &facet : surface.facets)
-      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < facet.n_nodes(); ++a)
         {
           const unsigned int node = facet.nodes[a];
           const Point<dim>  &X    = surface.nodes[node].X;

@@ -20,35 +20,12 @@ namespace Contact
 {
   namespace
   {
-    /// Facets are quadrangles. On the coarse mesh, which every rank has.
-    template<int dim>
-    void refuse_triangles(const DiscretizedBodies<dim> &discretization,
-                          const std::string            &name,
-                          const std::string            &entry)
-    {
-      const auto &mesh = discretization.dof_handler.get_triangulation();
-      const auto &ids  = discretization.boundary_ids(name, entry);
-      for (const auto &cell : mesh.cell_iterators_on_level(0))
-        for (const auto &face : cell->face_iterators())
-          if (face->n_vertices() == 3 && face->at_boundary() &&
-              ids.count(face->boundary_id()) > 0)
-            throw InputError("the surface '" + name +
-                               "' is one of tetrahedra, which do not take part "
-                               "in contact yet",
-                             "entry '" + entry + "'",
-                             "mesh the bodies that touch or are tied with "
-                             "hexahedra");
-    }
-
-
-
     template<int dim>
     Surface<dim> make_surface(const DiscretizedBodies<dim> &discretization,
                               const std::string            &name,
                               const std::string            &entry,
                               const SurfaceCut              cut)
     {
-      refuse_triangles(discretization, name, entry);
       return {discretization,
               discretization.boundary_ids(name, entry),
               name,
@@ -118,7 +95,7 @@ namespace Contact
       std::set<unsigned int>     held;
       const DeformedSurface<dim> drawn(slave, {});
       for (unsigned int e = 0; e < slave.facets.size(); ++e)
-        for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+        for (unsigned int a = 0; a < slave.facets[e].n_nodes(); ++a)
           {
             const unsigned int      i      = slave.facets[e].nodes[a];
             const SurfaceNode<dim> &node   = slave.nodes[i];
@@ -219,6 +196,8 @@ namespace Contact
     const bool is_mortar =
       master &&
       parameters.discretization == Parameters::ContactDiscretization::mortar;
+    if (master && !is_mortar)
+      check_nodal_slave(slave, parameters);
     if (is_mortar && !tied)
       excluded.merge(nodes_held_with_master(slave, *master, discretization));
     // Over a ring, the shape function of degree 2 of a node on the axis has the
@@ -419,11 +398,12 @@ namespace Contact
   template<int dim>
   Point<dim> ContactPair<dim>::place(const ContactPoint<dim> &point) const
   {
-    const Surface<dim>   &own = surface_of(point);
-    const FacetShape<dim> shape(own.degree, point.slave_xi);
-    Point<dim>            X;
-    for (unsigned int a = 0; a < own.n_nodes_per_facet(); ++a)
-      X += shape.value[a] * own.nodes[own.facets[point.slave_facet].nodes[a]].X;
+    const Surface<dim>      &own   = surface_of(point);
+    const SurfaceFacet<dim> &facet = own.facets[point.slave_facet];
+    const auto values = FacetShape<dim>::values(*facet.kind, point.slave_xi);
+    Point<dim> X;
+    for (unsigned int a = 0; a < facet.n_nodes(); ++a)
+      X += values[a] * own.nodes[facet.nodes[a]].X;
     return X;
   }
 
@@ -434,8 +414,8 @@ namespace Contact
     const Surface<dim>       &own   = surface_of(point);
     const SurfaceFacet<dim>  &facet = own.facets[point.slave_facet];
     std::vector<unsigned int> around{point.slave_facet};
-    for (unsigned int a = 0; a < own.n_nodes_per_facet(); ++a)
-      if (node_place<dim>(a) == point.slave_xi)
+    for (unsigned int a = 0; a < facet.n_nodes(); ++a)
+      if (facet.kind->places[a] == point.slave_xi)
         around = own.facets_of_node[facet.nodes[a]];
     Point<dim> sum;
     for (const unsigned int e : around)

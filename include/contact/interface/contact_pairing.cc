@@ -114,10 +114,10 @@ namespace Contact
     NormalCone<dim> directions = directions_of(point, now);
     if (other_sides.empty())
       return directions;
-    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-      if (node_place<dim>(a) == point.slave_xi)
-        if (const auto sides =
-              other_sides.find(slave.facets[point.slave_facet].nodes[a]);
+    const SurfaceFacet<dim> &facet = slave.facets[point.slave_facet];
+    for (unsigned int a = 0; a < facet.n_nodes(); ++a)
+      if (facet.kind->places[a] == point.slave_xi)
+        if (const auto sides = other_sides.find(facet.nodes[a]);
             sides != other_sides.end())
           {
             directions.at_end = false;

@@ -221,11 +221,11 @@ namespace Contact
                           const unsigned int   facet,
                           const GhostedVector &u)
     {
-      Tensor<1, dim> sum;
-      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-        sum +=
-          Tensor<1, dim>(surface.position(surface.facets[facet].nodes[a], u));
-      return sum / (1. * surface.n_nodes_per_facet());
+      const SurfaceFacet<dim> &of = surface.facets[facet];
+      Tensor<1, dim>           sum;
+      for (unsigned int a = 0; a < of.n_nodes(); ++a)
+        sum += Tensor<1, dim>(surface.position(of.nodes[a], u));
+      return sum / (1. * of.n_nodes());
     }
 
 

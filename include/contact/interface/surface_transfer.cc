@@ -23,7 +23,7 @@ namespace Contact
       for (unsigned int e = 0; e < slave.facets.size(); ++e)
         {
           n_sides += e > 0 && slave.facets[e].neighbors[0] != e - 1;
-          for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+          for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
             side[slave.facets[e].nodes[a]] = n_sides;
         }
       for (unsigned int i = 0; i < places.size(); ++i)

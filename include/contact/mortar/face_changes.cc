@@ -41,19 +41,18 @@ namespace Contact
     NormalChange       of_sum;
     for (const unsigned int e : surface.smooth_around(facet, a))
       {
-        const auto        &nodes = surface.facets[e].nodes;
-        const unsigned int own =
-          std::find(nodes.begin(), nodes.end(), node) - nodes.begin();
-        const FacetShape<3>         shape(surface.degree, node_place<3>(own));
+        const auto         &nodes = surface.facets[e].nodes;
+        const FacetKind<3> &kind  = *surface.facets[e].kind;
+        const FacetBasis shape(kind, kind.places[surface.number_in(e, node)]);
         std::array<Tensor<1, 3>, 2> t;
-        for (unsigned int b = 0; b < surface.n_nodes_per_facet(); ++b)
+        for (unsigned int b = 0; b < kind.n_nodes; ++b)
           for (unsigned int i = 0; i < 2; ++i)
             t[i] += shape.first[i][b] * x[nodes[b]];
         const auto         d       = dual_basis(t);
         const Tensor<1, 3> outward = outward_normal(t);
         const Tensor<1, 3> N       = outward / outward.norm();
         sum += N;
-        for (unsigned int b = 0; b < surface.n_nodes_per_facet(); ++b)
+        for (unsigned int b = 0; b < kind.n_nodes; ++b)
           of_sum[surface.nodes[nodes[b]].dofs] -=
             outer_product(shape.first[0][b] * d[0] + shape.first[1][b] * d[1],
                           N);
@@ -92,13 +91,14 @@ namespace Contact
   {
     PairingChange<3> change;
     const double     round_off = 1e-10;
-    if (!point.facing || point.projection_is_clipped ||
-        std::max(std::abs(point.master_xi[0]), std::abs(point.master_xi[1])) >
-          1 - round_off)
+    if (!point.facing || point.projection_is_clipped)
       return change;
-    const auto                 &nodes = master.facets[point.master_facet].nodes;
-    const unsigned int          n     = master.n_nodes_per_facet();
-    const FacetShape<3>         shape(master.degree, point.master_xi);
+    const SurfaceFacet<3> &facet = master.facets[point.master_facet];
+    if (facet.kind->outwardness(point.master_xi) > 1 - round_off)
+      return change;
+    const auto                 &nodes = facet.nodes;
+    const unsigned int          n     = facet.n_nodes();
+    const FacetShape<3>         shape(*facet.kind, point.master_xi);
     std::array<Tensor<1, 3>, 2> t;
     Tensor<2, 2>                bend; // n . x,ab
     for (unsigned int b = 0; b < n; ++b)
@@ -186,13 +186,13 @@ namespace Contact
                              const Surface<3>      &master,
                              const OfFacets        &of_facets)
   {
-    for (unsigned int m = 0; m < master.n_nodes_per_facet(); ++m)
+    for (unsigned int m = 0; m < master_facet.n_nodes(); ++m)
       {
         auto &of_node = integrals[master_facet.nodes[m]];
-        for (unsigned int b = 0; b < slave.n_nodes_per_facet(); ++b)
+        for (unsigned int b = 0; b < slave_facet.n_nodes(); ++b)
           of_node[slave.nodes[slave_facet.nodes[b]].dofs] +=
             of_facets.slave[m][b];
-        for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
+        for (unsigned int b = 0; b < master_facet.n_nodes(); ++b)
           of_node[master.nodes[master_facet.nodes[b]].dofs] +=
             of_facets.master[m][b];
       }

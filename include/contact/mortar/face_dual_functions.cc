@@ -13,22 +13,6 @@
 
 namespace Contact
 {
-  FacetShape<3>::Values piecewise_bilinear(const Point<2> &xi)
-  {
-    const auto hat = [](const unsigned int i, const double x) {
-      return std::max(0., 1 - std::abs(x - node_coordinates[i]));
-    };
-    FacetShape<3>::Values values{};
-    for (unsigned int a = 0; a < values.size(); ++a)
-      {
-        const auto [i, j] = FacetShape<3>::factors[a];
-        values[a]         = hat(i, xi[0]) * hat(j, xi[1]);
-      }
-    return values;
-  }
-
-
-
   // Functions that vanish on what faces the master have no part in it. A node
   // leaves its function to others where its gap would be extrapolated to where
   // no master is, on a strip the slope of the gap: where the master covers much
@@ -47,12 +31,8 @@ namespace Contact
     for (unsigned int a = 0; a < n_nodes; ++a)
       {
         sum += integrals[a];
-        if (partly) // those of the middles are twice as wide
-          {
-            covered[a] = integrals[a];
-            for (const unsigned int i : FacetShape<3>::factors[a])
-              covered[a] *= node_coordinates[i] == 0 ? 1 : 2;
-          }
+        if (partly)
+          covered[a] = integrals[a] * kind.hat_factors[a];
         if (!carries[a].empty())
           most = std::max(most, covered[a]);
       }
@@ -87,7 +67,7 @@ namespace Contact
           carriers.push_back(carrier.first);
 
     dual_to_shapes =
-      !piecewise && others.empty() &&
+      !piecewise && kind.part_of_sides == 0 && others.empty() &&
       std::all_of(carries.begin(),
                   carries.begin() + n_nodes,
                   [](const auto &of_node) {
@@ -114,7 +94,7 @@ namespace Contact
         std::vector<unsigned int> receivers;
         for (const unsigned int b : with_carriers)
           {
-            const double distance = node_place<3>(a).distance(node_place<3>(b));
+            const double distance = kind.places[a].distance(kind.places[b]);
             if (distance < nearest)
               receivers.clear();
             nearest = std::min(nearest, distance);
@@ -162,8 +142,8 @@ namespace Contact
   FacetShape<3>::Values
   FacetDualFunctions::functions(const FacetSample &sample) const
   {
-    return piecewise ? piecewise_bilinear(sample.slave_xi)
-                     : sample.slave_values;
+    return piecewise ? kind.hats(sample.slave_xi)
+                     : kind.tests(sample.slave_values);
   }
 
 

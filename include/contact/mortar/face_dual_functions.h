@@ -27,11 +27,6 @@ namespace Contact
 
 
 
-  /// The bilinear functions of the four parts of a facet of degree 2.
-  FacetShape<3>::Values piecewise_bilinear(const Point<2> &xi);
-
-
-
   /**
    * The dual functions of a slave facet in 3-D, over the part of it that
    * faces the master. With test functions M_j of its nodes,
@@ -40,10 +35,11 @@ namespace Contact
    * so that integral Phi_k M_j = delta_kj D_k, and the Phi_k sum up to one as
    * the M_j do.
    *
-   * Pressures need D_k > 0. The M_j are the shape functions, but where a facet
-   * of degree 2 faces the master in part, and that takes more than half of its
-   * integral from one of them, which may make it negative: there they are the
-   * piecewise bilinear functions of the nine nodes. A hanging node leaves its
+   * Pressures need D_k > 0. The M_j are FacetKind::tests(), the shape functions
+   * but of 6 nodes. Where a facet of degree 2 faces the master in part, and
+   * that takes more than half of its integral from one of them, which may make
+   * it negative, they are FacetKind::hats(), (bi)linear between the nodes. A
+   * hanging node leaves its
    * function to its receivers, of which one may be beyond the facet; and a node
    * without a multiplier, or that the master covers much less of than of
    * others, or whose function is there nearly a multiple of another one, to the
@@ -62,12 +58,12 @@ namespace Contact
 
     /**
      * @p samples are of the part that faces the master, @p shares [mm^2] the
-     * integrals of the shape functions over the whole facet; @p carries are,
+     * integrals of the test functions over the whole facet; @p carries are,
      * by node of the facet, the nodes of the surface with a multiplier that
      * its function belongs to, and their parts in it; none if it has none.
      */
     template<typename Sample>
-    FacetDualFunctions(const unsigned int         degree,
+    FacetDualFunctions(const FacetKind<3>        &kind,
                        const std::vector<Sample> &samples,
                        const std::vector<double> &shares,
                        const Carriers            &carries);
@@ -119,6 +115,7 @@ namespace Contact
     /// pseudo-inverse.
     void invert(FullMatrix<double> &G) const;
 
+    const FacetKind<3>       &kind;
     const unsigned int        n_nodes;
     bool                      partly = false, piecewise = false;
     bool                      dual_to_shapes = false;
@@ -133,11 +130,12 @@ namespace Contact
 
 
   template<typename Sample>
-  FacetDualFunctions::FacetDualFunctions(const unsigned int         degree,
+  FacetDualFunctions::FacetDualFunctions(const FacetKind<3>        &kind,
                                          const std::vector<Sample> &samples,
                                          const std::vector<double> &shares,
                                          const Carriers            &carries)
-    : n_nodes(shares.size())
+    : kind(kind)
+    , n_nodes(kind.n_nodes)
   {
     const auto integrals = [&]() {
       std::vector<double> sums(n_nodes, 0.);
@@ -152,7 +150,7 @@ namespace Contact
     std::vector<double> of_functions = integrals();
     for (unsigned int a = 0; a < n_nodes; ++a)
       partly = partly || of_functions[a] < shares[a] / 2;
-    piecewise = degree == 2 && partly;
+    piecewise = kind.degree == 2 && partly;
     if (piecewise)
       of_functions = integrals();
     FullMatrix<double> common(n_nodes, n_nodes);

@@ -20,11 +20,6 @@ namespace Contact
     class PlaceBlock
     {
     public:
-      PlaceBlock(const unsigned int n_nodes)
-        : n_nodes(n_nodes)
-      {
-      }
-
       bool is_full() const
       {
         return n == size;
@@ -39,17 +34,28 @@ namespace Contact
         return places[n++];
       }
 
-      /// Add all places to the integrals, and forget them.
-      void add_to(std::vector<Row> &integrals)
+      /// Add all places of a facet of so many nodes to the integrals, and
+      /// forget them.
+      void add_to(std::vector<Row> &integrals, const unsigned int n_nodes)
       {
         for (unsigned int j = 0; j < integrals.size() && n > 0; ++j)
           {
             for (unsigned int k = n; k < size; ++k)
               factors[j][k] = 0;
-            if (n_nodes == 4)
-              add<4>(factors[j], integrals[j]);
-            else
-              add<9>(factors[j], integrals[j]);
+            switch (n_nodes)
+              {
+                case 3:
+                  add<3>(factors[j], integrals[j]);
+                  break;
+                case 4:
+                  add<4>(factors[j], integrals[j]);
+                  break;
+                case 6:
+                  add<6>(factors[j], integrals[j]);
+                  break;
+                default:
+                  add<9>(factors[j], integrals[j]);
+              }
           }
         n = 0;
       }
@@ -90,21 +96,10 @@ namespace Contact
             integrals[i] += factor[k] * places[k][i];
       }
 
-      const unsigned int    n_nodes;
       unsigned int          n = 0;
       std::array<Row, size> places{};
       std::vector<Factors>  factors;
     };
-
-
-
-    /// The functions of the nodes that facets are projected with.
-    FacetShape<3>::Values projected_values(const unsigned int degree,
-                                           const Point<2>    &xi)
-    {
-      return degree == 1 ? FacetShape<3>::values(1, xi)
-                         : piecewise_bilinear(xi);
-    }
   } // namespace
 
 
@@ -129,7 +124,7 @@ namespace Contact
   void FaceIntegrals::find_carriers(const std::set<unsigned int> &excluded)
   {
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
-      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < slave.facets[e].n_nodes(); ++a)
         {
           double whole = 0;
           for (const auto &receiver : slave.receivers(slave.facets[e].nodes[a]))
@@ -149,7 +144,7 @@ namespace Contact
   FaceIntegrals::carriers_of(const unsigned int slave_facet) const
   {
     std::set<unsigned int> nodes;
-    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+    for (unsigned int a = 0; a < slave.facets[slave_facet].n_nodes(); ++a)
       for (const auto &carrier : carries[slave_facet][a])
         nodes.insert(carrier.first);
     return nodes;
@@ -177,14 +172,17 @@ namespace Contact
           distances.push_back(*point.distance_at_corner);
       }
 
-    const FacetDualFunctions dual(slave.degree, points, shares[e], carries[e]);
+    const FacetDualFunctions     dual(*slave.facets[e].kind,
+                                  points,
+                                  shares[e],
+                                  carries[e]);
     std::vector<NodeIntegrals *> carriers;
     for (const unsigned int node : dual.nodes())
       {
         carriers.push_back(&of_nodes[node]);
         carriers.back()->distances.push_back(&distances);
       }
-    const auto segments = make_segments(dual, points, now, carriers);
+    const auto segments = make_segments(e, dual, points, now, carriers);
     add_slave(e, dual, points, carriers);
     add_master(dual, segments, carriers);
     add_normals(dual, segments, now, carriers);
@@ -195,44 +193,55 @@ namespace Contact
 
   // Gradients are along the master.
   std::vector<FaceIntegrals::Segment> FaceIntegrals::make_segments(
+    const unsigned int                  e,
     const FacetDualFunctions           &dual,
     const std::vector<FaceSample>      &points,
     const FaceConfiguration            &now,
     const std::vector<NodeIntegrals *> &carriers) const
   {
-    const unsigned int n           = master.n_nodes_per_facet();
-    const bool         has_changes = std::any_of(carriers.begin(),
+    const FacetKind<3> &slave_kind = *slave.facets[e].kind;
+    const auto          kind_of    = [&](const unsigned int m) -> const auto &
+    {
+      return *master.facets[m].kind;
+    };
+    const bool has_changes = std::any_of(carriers.begin(),
                                          carriers.end(),
                                          [](const NodeIntegrals *carrier) {
                                            return carrier->change.has_value();
                                          });
-    const auto         add_change = [&](const FaceSample                 &point,
+    const auto add_change  = [&](const FaceSample                 &point,
                                 const FacetDualFunctions::Values &phi,
                                 const Segment::Row               &place,
                                 Segment                          &segment) {
+      const FacetKind<3>         &master_kind = kind_of(point.master_facet);
+      const unsigned int          n           = master_kind.n_nodes;
       FaceMortarChange::Gradients gradients{};
       for (unsigned int b = 0; b < n; ++b)
         for (unsigned int i = 0; i < 3; ++i)
           gradients[b][i] = place[(1 + i) * n + b];
       for (unsigned int k = 0; k < phi.size(); ++k)
         if (segment.changes[k])
-          segment.changes[k]->add(
-            point.weight * phi[k],
-            projected_values(slave.degree, point.slave_xi),
-            projected_values(master.degree, point.master_xi),
-            gradients);
+          segment.changes[k]->add(point.weight * phi[k],
+                                  slave_kind.projected_values(point.slave_xi),
+                                  master_kind.projected_values(point.master_xi),
+                                  gradients);
     };
     std::vector<Segment>      segments;
-    PlaceBlock<Segment::Row>  block(n);
+    PlaceBlock<Segment::Row>  block;
     PerFacetNode<3, Point<3>> x;
+    const auto                finish = [&]() {
+      if (!segments.empty())
+        block.add_to(segments.back().rows,
+                     kind_of(segments.back().master_facet).n_nodes);
+    };
     block.reserve(carriers.size());
     for (const FaceSample &point : points)
       {
+        const unsigned int n = kind_of(point.master_facet).n_nodes;
         if (segments.empty() ||
             segments.back().master_facet != point.master_facet)
           {
-            if (!segments.empty())
-              block.add_to(segments.back().rows);
+            finish();
             segments.push_back(
               {point.master_facet,
                std::vector<Segment::Row>(carriers.size(), Segment::Row{}),
@@ -240,7 +249,7 @@ namespace Contact
             for (const NodeIntegrals *carrier : carriers)
               segments.back().changes.emplace_back(
                 carrier->change
-                  ? new FaceMortarChange::OfFacets(slave.n_nodes_per_facet(), n)
+                  ? new FaceMortarChange::OfFacets(slave_kind.n_nodes, n)
                   : nullptr);
             for (unsigned int b = 0; b < n; ++b)
               x[b] = now.master_x[master.facets[point.master_facet].nodes[b]];
@@ -262,10 +271,9 @@ namespace Contact
         if (has_changes)
           add_change(point, dual.values(point), place, segment);
         if (block.is_full())
-          block.add_to(segment.rows);
+          finish();
       }
-    if (!segments.empty())
-      block.add_to(segments.back().rows);
+    finish();
     return segments;
   }
 
@@ -281,7 +289,7 @@ namespace Contact
                            const std::vector<NodeIntegrals *> &carriers) const
   {
     const auto        &A      = dual.coefficients();
-    const unsigned int n      = slave.n_nodes_per_facet();
+    const unsigned int n      = slave.facets[e].n_nodes();
     const auto        &nodes  = slave.facets[e].nodes;
     const auto         weight = [&](const unsigned int k) {
       double sum = 0;
@@ -324,12 +332,13 @@ namespace Contact
                             const std::vector<NodeIntegrals *> &carriers) const
   {
     const auto               &A = dual.coefficients();
-    const unsigned int        n = master.n_nodes_per_facet();
     std::vector<unsigned int> nodes;
     for (const Segment &segment : segments)
       {
-        const auto &of_facet = master.facets[segment.master_facet].nodes;
-        nodes.insert(nodes.end(), of_facet.begin(), of_facet.begin() + n);
+        const SurfaceFacet<3> &facet = master.facets[segment.master_facet];
+        nodes.insert(nodes.end(),
+                     facet.nodes.begin(),
+                     facet.nodes.begin() + facet.n_nodes());
       }
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
@@ -338,7 +347,10 @@ namespace Contact
     const unsigned int  length = 4 * nodes.size();
     std::vector<double> of_tests(carriers.size() * length, 0.);
     for (const Segment &segment : segments)
-      for (unsigned int b = 0; b < n; ++b)
+      for (unsigned int b = 0,
+                        n = master.facets[segment.master_facet].n_nodes();
+           b < n;
+           ++b)
         {
           const unsigned int m = master.facets[segment.master_facet].nodes[b];
           const unsigned int place =
@@ -382,7 +394,7 @@ namespace Contact
       {
         const unsigned int  m = segment.master_facet;
         std::vector<double> parts(carriers.size(), 0.);
-        for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
+        for (unsigned int b = 0; b < master.facets[m].n_nodes(); ++b)
           for (unsigned int j = 0; j < carriers.size(); ++j)
             {
               const double value = segment.rows[j][b];
@@ -420,7 +432,10 @@ namespace Contact
                                      slave,
                                      master,
                                      *segment.changes[k]);
-            for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
+            for (unsigned int b = 0,
+                              n = master.facets[segment.master_facet].n_nodes();
+                 b < n;
+                 ++b)
               {
                 double &sum = carriers[k]->normals[{segment.master_facet, b}];
                 for (unsigned int j = 0; j < carriers.size(); ++j)

@@ -98,7 +98,8 @@ namespace Contact
     /// The segments of a slave facet; what its dual functions belong to are @p
     /// carriers.
     std::vector<Segment>
-    make_segments(const FacetDualFunctions           &dual,
+    make_segments(const unsigned int                  slave_facet,
+                  const FacetDualFunctions           &dual,
                   const std::vector<FaceSample>      &points,
                   const FaceConfiguration            &now,
                   const std::vector<NodeIntegrals *> &carriers) const;

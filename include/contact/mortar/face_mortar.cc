@@ -63,11 +63,11 @@ namespace Contact
   unsigned int
   MortarDiscretization<3>::slave_node(const ContactPoint<3> &point) const
   {
-    const auto  &nodes = slave.facets[point.slave_facet].nodes;
-    unsigned int a     = 0;
-    while (!(node_place<3>(a) == point.slave_xi))
+    const SurfaceFacet<3> &facet = slave.facets[point.slave_facet];
+    unsigned int           a     = 0;
+    while (!(facet.kind->places[a] == point.slave_xi))
       ++a;
-    return nodes[a];
+    return facet.nodes[a];
   }
 
 

@@ -15,28 +15,27 @@ namespace Contact
 {
   namespace
   {
-    PlaneQuadrangle project(const ProjectionPlane               &plane,
-                            const FacetPart                     &part,
-                            const PerFacetNode<3, unsigned int> &nodes,
-                            const std::vector<Point<3>>         &x)
+    PlaneFacet project(const ProjectionPlane               &plane,
+                       const FacetPart                     &part,
+                       const PerFacetNode<3, unsigned int> &nodes,
+                       const std::vector<Point<3>>         &x)
     {
-      PlaneQuadrangle quadrangle;
-      for (unsigned int a = 0; a < 4; ++a)
-        quadrangle[a] = plane.project(x[nodes[part.corners[a]]]);
-      return quadrangle;
+      PlaneFacet outline;
+      for (const unsigned int corner : part.corners)
+        outline.push_back(plane.project(x[nodes[corner]]));
+      return outline;
     }
 
 
 
     /// The sum over the nodes of a facet, which are at @p x.
-    Point<3> sum(const FacetShape<3>::Values         &values,
-                 const PerFacetNode<3, unsigned int> &nodes,
-                 const std::vector<Point<3>>         &x,
-                 const unsigned int                   n)
+    Point<3> sum(const FacetShape<3>::Values &values,
+                 const SurfaceFacet<3>       &facet,
+                 const std::vector<Point<3>> &x)
     {
       Point<3> place;
-      for (unsigned int a = 0; a < n; ++a)
-        place += values[a] * x[nodes[a]];
+      for (unsigned int a = 0; a < facet.n_nodes(); ++a)
+        place += values[a] * x[facet.nodes[a]];
       return place;
     }
 
@@ -56,14 +55,13 @@ namespace Contact
     std::vector<Tensor<1, 3>> middle_normals(const Surface<3> &surface,
                                              const std::vector<Point<3>> &x)
     {
-      const FacetBasis          basis(surface.degree, Point<2>());
       std::vector<Tensor<1, 3>> normals;
       for (const SurfaceFacet<3> &facet : surface.facets)
         {
+          const FacetBasis            basis(*facet.kind, facet.kind->middle);
           std::array<Tensor<1, 3>, 2> tangents;
           for (unsigned int k = 0; k < 2; ++k)
-            tangents[k] =
-              sum(basis.first[k], facet.nodes, x, surface.n_nodes_per_facet());
+            tangents[k] = sum(basis.first[k], facet, x);
           const Tensor<1, 3> outward = outward_normal(tangents);
           normals.push_back(outward / outward.norm());
         }
@@ -73,43 +71,31 @@ namespace Contact
 
 
     /**
-     * The Gauss points of a triangle, exact for degree 2 n - 1. On
-     * parallelograms products of two shape functions are polynomials of degree
-     * p = 4, of quadratic ones 8. On others the coordinates are power series in
-     * the place, whose k-th term has the factor (variation / 2)^k and raises
-     * the degree by k: what is not integrated exactly is round-off, or else n
-     * is the largest.
+     * The Gauss points of a triangle, exact for degree 2 n - 1. On triangles
+     * and parallelograms products of two shape functions are polynomials of
+     * twice the degree of the functions, p. On others the coordinates are power
+     * series in the place, whose k-th term has the factor (variation / 2)^k and
+     * raises the degree by k: what is not integrated exactly is round-off, or
+     * else n is the largest.
      */
-    const Quadrature<2> &rule(const unsigned int degree, const double variation)
+    const Quadrature<2> &rule(const unsigned int polynomial_degree,
+                              const double       variation)
     {
       static const std::vector<Quadrature<2>> rules{
+        QWitherdenVincentSimplex<2>(2),
         QWitherdenVincentSimplex<2>(3),
         QWitherdenVincentSimplex<2>(4),
         QWitherdenVincentSimplex<2>(5),
         QWitherdenVincentSimplex<2>(6),
         QWitherdenVincentSimplex<2>(7)};
       const double       round_off = 1e-13;
-      const unsigned int p         = 4 * degree;
+      const unsigned int p         = 2 * polynomial_degree;
       unsigned int       n         = p / 2 + 1;
       while (n < 7 && std::pow(variation / 2, 2. * n - p) > round_off)
         ++n;
-      return rules[n - 3];
+      return rules[n - 2];
     }
   } // namespace
-
-
-
-  FacetBasis::FacetBasis(const unsigned int degree, const Point<2> &xi)
-  {
-    const EdgeShape x(degree, xi[0]), y(degree, xi[1]);
-    for (unsigned int a = 0; a < (degree == 1 ? 4 : 9); ++a)
-      {
-        const auto [i, j] = FacetShape<3>::factors[a];
-        value[a]          = x.value[i] * y.value[j];
-        first[0][a]       = x.first[i] * y.value[j];
-        first[1][a]       = x.value[i] * y.first[j];
-      }
-  }
 
 
 
@@ -121,16 +107,13 @@ namespace Contact
       : index(index)
       , facet(slave.facets[index])
       , normal(now.slave_middles[index])
-      , plane(sum(FacetShape<3>::values(slave.degree, Point<2>()),
-                  facet.nodes,
-                  now.slave_x,
-                  slave.n_nodes_per_facet()),
+      , plane(sum(facet.kind->values(facet.kind->middle), facet, now.slave_x),
               normal)
     {
-      for (const FacetPart &part : parts_of_facet(slave.degree))
+      for (const FacetPart &part : facet.kind->parts)
         parts.emplace_back(project(plane, part, facet.nodes, now.slave_x),
                            part);
-      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < facet.n_nodes(); ++a)
         X.push_back(slave.nodes[facet.nodes[a]].X);
     }
 
@@ -195,7 +178,7 @@ namespace Contact
     directions.normals = {now.slave_middles[e]};
 
     double distance = 0;
-    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+    for (unsigned int a = 0; a < slave.facets[e].n_nodes(); ++a)
       {
         const unsigned int node = slave.facets[e].nodes[a];
         x.push_back(now.slave_x[node]);
@@ -239,30 +222,30 @@ namespace Contact
 
   void FaceSegments::add_segment(const SlaveFacet &own, const unsigned int m)
   {
-    const auto &other_nodes = master.facets[m].nodes;
-    const auto  on_slave    = [&](const FacetShape<3>::Values &values) {
-      return sum(values,
-                 own.facet.nodes,
-                 now.slave_x,
-                 slave.n_nodes_per_facet());
+    const SurfaceFacet<3> &faced       = master.facets[m];
+    const FacetKind<3>    &slave_kind  = *own.facet.kind;
+    const FacetKind<3>    &master_kind = *faced.kind;
+    const auto             on_slave = [&](const FacetShape<3>::Values &values) {
+      return sum(values, own.facet, now.slave_x);
     };
     const auto on_master = [&](const FacetShape<3>::Values &values) {
-      return sum(values, other_nodes, now.master_x, master.n_nodes_per_facet());
+      return sum(values, faced, now.master_x);
     };
-    for (const FacetPart &other : parts_of_facet(master.degree))
+    for (const FacetPart &other : master_kind.parts)
       {
         const ProjectedPart t(
-          project(own.plane, other, other_nodes, now.master_x),
+          project(own.plane, other, faced.nodes, now.master_x),
           other);
         for (const ProjectedPart &s : own.parts)
           {
             if (!s.is_near(t))
               continue;
-            const auto triangles = intersection(s.quadrangle, t.quadrangle);
+            const auto triangles = intersection(s.outline, t.outline);
             if (triangles.empty())
               continue;
             const Quadrature<2> &quadrature =
-              rule(std::max(slave.degree, master.degree),
+              rule(std::max(slave_kind.polynomial_degree,
+                            master_kind.polynomial_degree),
                    std::max(s.map.variation(), t.map.variation()));
             const double scale = s.part.scale;
             for (const PlaneTriangle &triangle : triangles)
@@ -280,7 +263,7 @@ namespace Contact
                     const Point<2>  in_s =
                       s.map.coordinates_of(place, inside(corners_in_s, eta));
                     const Point<2>   slave_xi = s.in_facet(in_s);
-                    const FacetBasis basis(slave.degree, slave_xi);
+                    const FacetBasis basis(slave_kind, slave_xi);
                     const double     weight = 2 * area(triangle) *
                                           quadrature.weight(q) /
                                           s.map.jacobian(in_s) * scale * scale *
@@ -292,18 +275,16 @@ namespace Contact
                                                       weight},
                                           master_xi,
                                           m,
-                                          master.degree);
+                                          master_kind);
                     FaceSample &sample = of_facet.back();
                     sample.distance    = on_slave(sample.slave_values) -
                                       on_master(sample.master_basis.value);
                     if (q < 3)
                       sample.distance_at_corner =
                         on_slave(
-                          FacetShape<3>::values(slave.degree,
-                                                s.in_facet(corners_in_s[q]))) -
+                          slave_kind.values(s.in_facet(corners_in_s[q]))) -
                         on_master(
-                          FacetShape<3>::values(master.degree,
-                                                t.in_facet(corners_in_t[q])));
+                          master_kind.values(t.in_facet(corners_in_t[q])));
                   }
               }
           }
@@ -371,10 +352,7 @@ namespace Contact
   Point<3> FaceSegments::place_of(const FaceSample &sample,
                                   const SlaveFacet &own) const
   {
-    return sum(sample.slave_values,
-               own.facet.nodes,
-               now.slave_x,
-               slave.n_nodes_per_facet());
+    return sum(sample.slave_values, own.facet, now.slave_x);
   }
 
 
@@ -386,7 +364,7 @@ namespace Contact
                           const unsigned int           facet) const
   {
     std::vector<ProjectedPart> parts;
-    for (const FacetPart &part : parts_of_facet(surface.degree))
+    for (const FacetPart &part : surface.facets[facet].kind->parts)
       parts.emplace_back(
         project(own.plane, part, surface.facets[facet].nodes, x),
         part);
@@ -403,19 +381,17 @@ namespace Contact
                                const std::vector<Point<3>> &x,
                                const ProjectedFacet        &facet) const
   {
-    const auto &[f, parts]  = facet;
-    const Point<2> in_plane = own.plane.project(on_slave);
+    const auto &[f, parts]          = facet;
+    const SurfaceFacet<3> &other    = surface.facets[f];
+    const Point<2>         in_plane = own.plane.project(on_slave);
     for (const ProjectedPart &part : parts)
       {
         if (!part.is_in_box(in_plane))
           continue;
         const Point<2> xi = part.map.coordinates_of(in_plane);
-        if (std::max(std::abs(xi[0]), std::abs(xi[1])) < 1)
+        if (other.kind->outwardness(xi) < 1)
           return (on_slave -
-                  sum(FacetShape<3>::values(surface.degree, part.in_facet(xi)),
-                      surface.facets[f].nodes,
-                      x,
-                      surface.n_nodes_per_facet())) *
+                  sum(other.kind->values(part.in_facet(xi)), other, x)) *
                  own.normal;
       }
     return {};

@@ -37,30 +37,18 @@ namespace Contact
 
 
 
-  /// The shape functions of a facet at one place of it and their derivatives:
-  /// those of FacetShape that integrals need.
-  struct FacetBasis
-  {
-    FacetBasis(const unsigned int degree, const Point<2> &xi);
-
-    FacetShape<3>::Values                value;
-    std::array<FacetShape<3>::Values, 2> first;
-  };
-
-
-
   /// A Gauss point of a segment, the piece of a slave facet that faces one
   /// master facet.
   struct FaceSample : public FacetSample
   {
-    FaceSample(const FacetSample &on_slave,
-               const Point<2>    &master_xi,
-               const unsigned int master_facet,
-               const unsigned int master_degree)
+    FaceSample(const FacetSample  &on_slave,
+               const Point<2>     &master_xi,
+               const unsigned int  master_facet,
+               const FacetKind<3> &master_kind)
       : FacetSample(on_slave)
       , master_xi(master_xi)
       , master_facet(master_facet)
-      , master_basis(master_degree, master_xi)
+      , master_basis(master_kind, master_xi)
     {
     }
 
@@ -81,10 +69,10 @@ namespace Contact
    * Slave and master facets are projected on a plane, the one through the
    * middle of the slave facet across its normal, and clipped (M. A. Puso and T.
    * A. Laursen, Comput. Methods Appl. Mech. Engrg. 193, 2004); facets of degree
-   * 2 in four parts, bilinear between their nodes. The common polygons are cut
-   * into triangles with Gauss points. Integrals are over the undeformed slave.
-   * Of master facets that lie one behind the other, the nearest is the partner.
-   * A far side of a body is none.
+   * 2 in four parts, (bi)linear between their nodes. The common polygons are
+   * cut into triangles with Gauss points. Integrals are over the undeformed
+   * slave. Of master facets that lie one behind the other, the nearest is the
+   * partner. A far side of a body is none.
    */
   class FaceSegments
   {

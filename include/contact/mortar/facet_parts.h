@@ -9,48 +9,23 @@
 #include <vector>
 
 #include "contact/surfaces/face_clipping.h"
-#include "contact/surfaces/facet_shapes.h"
+#include "contact/surfaces/facet_kind.h"
 
 namespace Contact
 {
   using namespace dealii;
 
-  /// The parts of a facet that are projected as quadrangles: one, or at degree
-  /// 2 four. Their corners are nodes of the facet.
-  struct FacetPart
-  {
-    std::array<unsigned int, 4> corners;
-    Point<2>                    middle; // in the coordinates of the facet
-    double                      scale;  // of the coordinates of the part
-  };
-
-
-
-  /// The parts of a facet of this degree.
-  inline const std::vector<FacetPart> &parts_of_facet(const unsigned int degree)
-  {
-    static const std::vector<FacetPart> one{{{{0, 1, 2, 3}}, Point<2>(), 1}};
-    static const std::vector<FacetPart> four{
-      {{{0, 6, 4, 8}}, Point<2>(-0.5, -0.5), 0.5},
-      {{{6, 1, 8, 5}}, Point<2>(0.5, -0.5), 0.5},
-      {{{4, 8, 2, 7}}, Point<2>(-0.5, 0.5), 0.5},
-      {{{8, 5, 7, 3}}, Point<2>(0.5, 0.5), 0.5}};
-    return degree == 1 ? one : four;
-  }
-
-
-
   /// A part of a facet in the plane that masters are projected on.
   struct ProjectedPart
   {
-    ProjectedPart(const PlaneQuadrangle &quadrangle, const FacetPart &part)
-      : quadrangle(quadrangle)
-      , lower(quadrangle[0])
-      , upper(quadrangle[0])
-      , map(quadrangle)
+    ProjectedPart(const PlaneFacet &outline, const FacetPart &part)
+      : outline(outline)
+      , lower(outline[0])
+      , upper(outline[0])
+      , map(outline)
       , part(part)
     {
-      for (const Point<2> &corner : quadrangle)
+      for (const Point<2> &corner : outline)
         for (unsigned int i = 0; i < 2; ++i)
           {
             lower[i] = std::min(lower[i], corner[i]);
@@ -58,7 +33,7 @@ namespace Contact
           }
     }
 
-    /// Whether the boxes around the quadrangles have something in common.
+    /// Whether the boxes around the outlines have something in common.
     bool is_near(const ProjectedPart &other) const
     {
       return lower[0] <= other.upper[0] && other.lower[0] <= upper[0] &&
@@ -77,10 +52,10 @@ namespace Contact
       return part.middle + part.scale * xi;
     }
 
-    const PlaneQuadrangle quadrangle;
-    Point<2>              lower, upper;
-    const BilinearMap     map;
-    const FacetPart      &part;
+    const PlaneFacet  outline;
+    Point<2>          lower, upper;
+    const BilinearMap map;
+    const FacetPart  &part;
   };
 } // namespace Contact
 

@@ -37,7 +37,7 @@ namespace Contact
     , carries(slave.facets.size())
   {
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
-      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
         carries[e][a] = excluded.count(slave.facets[e].nodes[a]) == 0;
   }
 
@@ -52,7 +52,7 @@ namespace Contact
 
     std::vector<ContactPoint<2>> points;
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
-      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
         {
           const unsigned int node = slave.facets[e].nodes[a];
           if (!carries[e][a] ||
@@ -235,7 +235,7 @@ namespace Contact
       for (const unsigned int near :
            {e, surface.facets[e].neighbors[0], surface.facets[e].neighbors[1]})
         if (near != numbers::invalid_unsigned_int)
-          for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+          for (unsigned int a = 0; a < surface.n_nodes_per_edge(); ++a)
             all.insert(surface.facets[near].nodes[a]);
     };
     for (const unsigned int e : slave.facets_of_node[node])

@@ -230,7 +230,7 @@ namespace Contact
   template<typename Number>
   void MortarGeometry<Number>::find_slave_normals(const unsigned int edge)
   {
-    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
       {
         const Tensor<1, 2, Number> normal =
           Number(-1) * mean_normal(slave, slave_x, edge, a);
@@ -243,7 +243,7 @@ namespace Contact
   template<typename Number>
   void MortarGeometry<Number>::find_master_normals(const unsigned int edge)
   {
-    for (unsigned int a = 0; a < master.n_nodes_per_facet(); ++a)
+    for (unsigned int a = 0; a < master.n_nodes_per_edge(); ++a)
       master_normals[edge][a] = mean_normal(master, master_x, edge, a);
   }
 
@@ -346,7 +346,7 @@ namespace Contact
     std::array<Tensor<1, 2>, 3> nodes, normals;
     for (unsigned int a = 0; a < 3; ++a)
       nodes[a] = value_of(slave_x[edge.nodes[a]]);
-    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
       normals[a] = value_of(slave_normals[slave_facet][a]);
     const auto sum = [](const std::array<Tensor<1, 2>, 3> &values,
                         const std::array<double, 3>       &shape) {

@@ -99,7 +99,7 @@ namespace Contact
                                       const std::array<Shape, 3> &shape) const
     {
       Tensor<1, 2, Number> sum;
-      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
         sum += shape[a] * slave_normals[slave_facet][a];
       return sum;
     }

@@ -70,7 +70,7 @@ namespace Contact
   {
     std::vector<unsigned int> candidates, nodes;
     double                    nearest = std::numeric_limits<double>::max();
-    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
       if (carries[slave_facet][a])
         {
           candidates.push_back(a);
@@ -102,7 +102,7 @@ namespace Contact
     const EdgeShapes<Number>        &shape) const
   {
     std::array<Number, 3> values{{0, 0, 0}};
-    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
       {
         const auto distance = [&](const unsigned int b) {
           return std::abs(node_coordinates[a] - node_coordinates[b]);
@@ -207,9 +207,9 @@ namespace Contact
 
             OfNode &of_node = of_nodes[node];
             of_node.weight += phi;
-            for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+            for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
               of_node.slave[edge.nodes[a]] += phi * shape.value[a];
-            for (unsigned int a = 0; a < master.n_nodes_per_facet(); ++a)
+            for (unsigned int a = 0; a < master.n_nodes_per_edge(); ++a)
               {
                 of_node.master[m_edge.nodes[a]] += phi * projection.value[a];
                 of_node.shift[m_edge.nodes[a]] +=
@@ -234,7 +234,7 @@ namespace Contact
     const EdgeShapes<Number> projection(master.degree, sample.master_xi);
     Tensor<1, 2, Number>     normal;
     Number                   turn_square = 0;
-    for (unsigned int b = 0; b < master.n_nodes_per_facet(); ++b)
+    for (unsigned int b = 0; b < master.n_nodes_per_edge(); ++b)
       {
         normal +=
           projection.value[b] * now.master_normals[sample.master_facet][b];

@@ -120,7 +120,7 @@ namespace Contact
   {
     const auto           &nodes = now.slave.facets[slave_facet].nodes;
     std::vector<Point<2>> corners;
-    for (unsigned int a = 0; a < now.slave.n_nodes_per_facet(); ++a)
+    for (unsigned int a = 0; a < now.slave.n_nodes_per_edge(); ++a)
       for (const double side : {-1., 1.})
         corners.emplace_back(now.slave_x[nodes[a]] +
                              side * reach * now.slave_normals[slave_facet][a]);
@@ -131,7 +131,7 @@ namespace Contact
     for (const unsigned int m : search.facets_in(BoundingBox<2>(corners)))
       {
         bool left = false, right = false;
-        for (unsigned int a = 0; a < now.slave.n_nodes_per_facet(); ++a)
+        for (unsigned int a = 0; a < now.slave.n_nodes_per_edge(); ++a)
           for (const Tensor<1, 2> &x : search.hull(m))
             {
               const double side = cross(x - now.slave_x[nodes[a]],

@@ -17,16 +17,85 @@ namespace Contact
                                  const unsigned int     e,
                                  const FacetPoint<dim> &xi)
     {
-      const FacetShape<dim> shape(slave.degree, xi);
+      const SurfaceFacet<dim> &facet = slave.facets[e];
+      const auto values              = FacetShape<dim>::values(*facet.kind, xi);
 
       ContactPoint<dim> point;
       point.slave_facet = e;
       point.slave_xi    = xi;
-      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-        if (shape.value[a] != 0)
-          point.add_node(slave.nodes[slave.facets[e].nodes[a]], shape.value[a]);
+      for (unsigned int a = 0; a < facet.n_nodes(); ++a)
+        if (values[a] != 0)
+          point.add_node(slave.nodes[facet.nodes[a]], values[a]);
       point.n_slave_nodes = point.n_nodes;
       return point;
+    }
+
+
+
+    /// A node of a facet and its part in something.
+    using NodePart = std::pair<unsigned int, double>;
+
+    std::vector<NodePart> parts_of_nodal_point(const FacetKind<2> &,
+                                               const unsigned int a)
+    {
+      return {{a, 1.}};
+    }
+
+    /// The nodes whose places, with these factors, are the factor of the test
+    /// function of a node in the place of the surface, the node itself first:
+    /// where nodal points act so, a uniform pressure is one of all nodes.
+    std::vector<NodePart> parts_of_nodal_point(const FacetKind<3> &kind,
+                                               const unsigned int  a)
+    {
+      const double          own = 1 / (1 - 2 * kind.part_of_sides);
+      std::vector<NodePart> parts{{a, 1.}};
+      if (kind.part_of_sides == 0 || a < kind.n_vertices)
+        return parts;
+      parts[0].second = own;
+      for (const unsigned int end : kind.vertices_of_node[a])
+        parts.emplace_back(end, -kind.part_of_sides * own);
+      return parts;
+    }
+
+
+
+    /// The same of a node of it.
+    template<int dim>
+    ContactPoint<dim> make_nodal_point(const Surface<dim> &slave,
+                                       const unsigned int  e,
+                                       const unsigned int  a)
+    {
+      const SurfaceFacet<dim> &facet = slave.facets[e];
+      ContactPoint<dim>        point;
+      point.slave_facet = e;
+      point.slave_xi    = facet.kind->places[a];
+      for (const auto &[node, part] : parts_of_nodal_point(*facet.kind, a))
+        point.add_node(slave.nodes[facet.nodes[node]], part);
+      point.n_slave_nodes = point.n_nodes;
+      return point;
+    }
+
+
+
+    /// The closest place of an obstacle to a nodal point; of several nodes that
+    /// with their gaps.
+    template<int dim>
+    Point<dim> closest_to_nodes(const ContactPoint<dim> &point,
+                                const Obstacle<dim>     &obstacle,
+                                const Point<dim>        &closest,
+                                const GhostedVector     &u)
+    {
+      if (point.n_multipliers > 1 || point.n_slave_nodes == 1)
+        return closest;
+      Point<dim> sum;
+      for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
+        {
+          Point<dim> x = point.X(a);
+          for (unsigned int i = 0; i < dim; ++i)
+            x[i] += u[point.dofs(a)[i]];
+          sum += point.C[a] * Tensor<1, dim>(obstacle.closest_point(x).x);
+        }
+      return sum;
     }
 
 
@@ -89,7 +158,7 @@ namespace Contact
 
     std::vector<ContactPoint<dim>> points;
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
-      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < slave.facets[e].n_nodes(); ++a)
         {
           const unsigned int node = slave.facets[e].nodes[a];
           if (excluded.count(node) > 0 || !slave.parents[node].empty())
@@ -98,7 +167,7 @@ namespace Contact
           if (multipliers.of_node[node] == numbers::invalid_unsigned_int)
             {
               multipliers.of_node[node] = multipliers.n_multipliers++;
-              points.push_back(make_point<dim>(slave, e, node_place<dim>(a)));
+              points.push_back(make_nodal_point<dim>(slave, e, a));
               points.back().n_multipliers  = 1;
               points.back().multipliers[0] = multipliers.of_node[node];
               points.back().psi[0]         = 1;
@@ -106,7 +175,7 @@ namespace Contact
             }
         }
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
-      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < slave.facets[e].n_nodes(); ++a)
         for (const auto &[node, part] :
              slave.receivers(slave.facets[e].nodes[a]))
           if (const unsigned int k = multipliers.of_node[node];
@@ -139,7 +208,7 @@ namespace Contact
           ContactPoint<2> &point = points.back();
           point.weight           = 2 * quadrature.weight(q) *
                          slave.reference_jacobian(slave.facets[e], shape);
-          point.n_multipliers = slave.n_nodes_per_facet();
+          point.n_multipliers = slave.n_nodes_per_edge();
           for (unsigned int a = 0; a < point.n_multipliers; ++a)
             {
               point.multipliers[a] = slave.facets[e].nodes[a];
@@ -234,11 +303,14 @@ namespace Contact
     bool is_at_end(const Surface<dim> &surface, const unsigned int node)
     {
       for (const unsigned int e : surface.facets_of_node[node])
-        for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-          for (unsigned int s = 0; s < SurfaceFacet<dim>::n_sides; ++s)
-            if (surface.facets[e].nodes[a] == node &&
-                surface.facets[e].ends_surface(s) && is_on_side<dim>(a, s))
-              return true;
+        {
+          const SurfaceFacet<dim> &facet = surface.facets[e];
+          for (unsigned int a = 0; a < facet.n_nodes(); ++a)
+            for (unsigned int s = 0; s < facet.n_sides(); ++s)
+              if (facet.nodes[a] == node && facet.ends_surface(s) &&
+                  facet.kind->has_on_side(a, s))
+                return true;
+        }
       return false;
     }
   } // namespace
@@ -257,13 +329,13 @@ namespace Contact
     directions.reach = DeformedSurface<dim>::overhang *
                        slave.reference_length(point.slave_facet);
     const auto &facet = slave.facets[point.slave_facet];
-    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-      if (node_place<dim>(a) == point.slave_xi)
+    for (unsigned int a = 0; a < facet.n_nodes(); ++a)
+      if (facet.kind->places[a] == point.slave_xi)
         {
           const unsigned int node = facet.nodes[a];
           directions.at_end       = is_at_end(slave, node);
           for (const unsigned int e : slave.facets_of_node[node])
-            for (unsigned int b = 0; b < slave.n_nodes_per_facet(); ++b)
+            for (unsigned int b = 0; b < slave.facets[e].n_nodes(); ++b)
               if (slave.facets[e].nodes[b] == node)
                 directions.normals.insert(b == 1 ? directions.normals.begin()
                                                  : directions.normals.end(),
@@ -271,10 +343,10 @@ namespace Contact
           return directions;
         }
 
-    const FacetShape<dim> shape(slave.degree, point.slave_xi);
-    Tensor<1, dim>        n;
-    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-      n += shape.value[a] * normals[point.slave_facet][a];
+    const auto values = FacetShape<dim>::values(*facet.kind, point.slave_xi);
+    Tensor<1, dim> n;
+    for (unsigned int a = 0; a < facet.n_nodes(); ++a)
+      n += values[a] * normals[point.slave_facet][a];
     directions.normals.push_back(n / n.norm());
     return directions;
   }
@@ -290,7 +362,8 @@ namespace Contact
   {
     const Projection<dim> projection =
       master.closest_facing(slave_position(point, u), directions);
-    const double beyond = (largest_coordinate(projection.xi) - 1) / 2 *
+    const FacetKind<dim> &kind = *master.surface.facets[projection.facet].kind;
+    const double          beyond = (kind.outwardness(projection.xi) - 1) / 2 *
                           master.surface.reference_length(projection.facet);
     point.facing       = !projection.beyond_end && beyond <= directions.reach;
     point.master_facet = projection.facet;
@@ -320,7 +393,7 @@ namespace Contact
                                  projection.normal,
                                  discretization);
     point.master_facet    = numbers::invalid_unsigned_int;
-    point.projection      = projection.x;
+    point.projection      = closest_to_nodes(point, obstacle, projection.x, u);
     point.normal          = projection.normal;
     set_tangents(point);
     point.metric = projection.radius == 0 ? 1 : std::abs(projection.radius);

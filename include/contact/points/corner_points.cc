@@ -38,11 +38,11 @@ namespace Contact
     {
       std::map<unsigned int, std::vector<Tensor<1, 3>>> ends_at;
       for (const SurfaceFacet<3> &facet : surface.facets)
-        for (unsigned int s = 0; s < SurfaceFacet<3>::n_sides; ++s)
+        for (unsigned int s = 0; s < facet.n_sides(); ++s)
           if (facet.ends_side[s])
-            for (unsigned int a = 0; a < 4; ++a)
-              for (unsigned int b = 0; b < 4; ++b)
-                if (a != b && is_on_side<3>(a, s) && is_on_side<3>(b, s))
+            for (const unsigned int a : facet.kind->sides[s].ends)
+              for (const unsigned int b : facet.kind->sides[s].ends)
+                if (a != b)
                   {
                     const Tensor<1, 3> along = surface.nodes[facet.nodes[b]].X -
                                                surface.nodes[facet.nodes[a]].X;
@@ -68,10 +68,9 @@ namespace Contact
                            const ContactPoint<dim> &point)
     {
       const SurfaceFacet<dim> &facet = surface.facets[point.master_facet];
-      for (unsigned int s = 0; s < SurfaceFacet<dim>::n_sides; ++s)
-        if (facet.ends_side[s] &&
-            coordinate(point.master_xi, s / 2) * (s % 2 == 0 ? -1 : 1) >
-              1 - DeformedSurface<dim>::overhang)
+      for (unsigned int s = 0; s < facet.n_sides(); ++s)
+        if (facet.ends_side[s] && facet.kind->sides[s].at(point.master_xi) >
+                                    1 - DeformedSurface<dim>::overhang)
           return true;
       return false;
     }
@@ -146,19 +145,20 @@ namespace Contact
                             const Surface<dim>      &slave)
   {
     const double close = 1e-2;
-    if (corner.facing)
-      for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
-        {
-          double beside = 0;
-          for (unsigned int k = 0; k < dim - 1; ++k)
-            beside =
-              std::max(beside,
-                       std::abs(
-                         std::clamp(+coordinate(corner.master_xi, k), -1., 1.) -
-                         coordinate(node_place<dim>(a), k)));
-          if (beside < close)
-            return slave.facets[corner.master_facet].nodes[a];
-        }
+    if (!corner.facing)
+      return numbers::invalid_unsigned_int;
+    const SurfaceFacet<dim> &facet = slave.facets[corner.master_facet];
+    const FacetPoint<dim>    xi    = facet.kind->inside(corner.master_xi);
+    for (unsigned int a = 0; a < facet.n_nodes(); ++a)
+      {
+        double beside = 0;
+        for (unsigned int k = 0; k < dim - 1; ++k)
+          beside = std::max(beside,
+                            std::abs(coordinate(xi, k) -
+                                     coordinate(facet.kind->places[a], k)));
+        if (beside < close)
+          return facet.nodes[a];
+      }
     return numbers::invalid_unsigned_int;
   }
 

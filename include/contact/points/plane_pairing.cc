@@ -57,7 +57,7 @@ namespace Contact
       const Surface<2> &master = now.surface;
       const EdgeShape   shape(master.degree, xi);
       Tensor<1, 2>      along;
-      for (unsigned int a = 0; a < master.n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < master.n_nodes_per_edge(); ++a)
         {
           const unsigned int node = master.facets[edge].nodes[a];
           point.add_node(master.nodes[node],

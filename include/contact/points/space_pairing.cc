@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// The pairing of a contact point with the quadrangles of the master.
+// The pairing of a contact point with the faces of the master.
 
 #include <algorithm>
 #include <map>
@@ -211,7 +211,7 @@ namespace Contact
         {
           bool one_is_free = false;
           for (const unsigned int e : slave.facets_of_node[node])
-            for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+            for (unsigned int a = 0; a < slave.facets[e].n_nodes(); ++a)
               one_is_free = one_is_free ||
                             !is_held(slave.nodes[slave.facets[e].nodes[a]].dofs,
                                      direction,
@@ -233,23 +233,20 @@ namespace Contact
                    const DiscretizedBodies<3> &discretization,
                    const GhostedVector        &u)
   {
-    const Surface<3> &master = now.surface;
-    point.projection         = Point<3>();
-    const FacetShape<3>            shape(master.degree, projection.xi);
+    const Surface<3> &master              = now.surface;
+    point.projection                      = Point<3>();
+    const SurfaceFacet<3>         &facet  = master.facets[projection.facet];
+    const auto                     values = facet.kind->values(projection.xi);
     std::map<unsigned int, double> parts;
-    for (unsigned int a = 0; a < master.n_nodes_per_facet(); ++a)
-      if (shape.value[a] != 0)
-        add_parts(master,
-                  master.facets[projection.facet].nodes[a],
-                  shape.value[a],
-                  parts,
-                  point.projection);
+    for (unsigned int a = 0; a < facet.n_nodes(); ++a)
+      if (values[a] != 0)
+        add_parts(master, facet.nodes[a], values[a], parts, point.projection);
     for (const auto &[node, part] : parts)
       point.add_node(master.nodes[node], -part);
 
     Tensor<1, 3> normal = now.normal(projection.facet, projection.xi);
-    for (const auto &[facet, xi] : projection.twins)
-      normal += now.normal(facet, xi);
+    for (const auto &[twin, xi] : projection.twins)
+      normal += now.normal(twin, xi);
     point.normal = normal / normal.norm();
     make_symmetric(point,
                    discretization,

@@ -16,30 +16,6 @@ namespace Contact
 {
   namespace
   {
-    /// Places of a facet, with its nodes or between them only.
-    template<int dim>
-    std::vector<FacetPoint<dim>> places_of_facet(const bool with_nodes);
-
-    template<>
-    std::vector<FacetPoint<2>> places_of_facet<2>(const bool with_nodes)
-    {
-      if (with_nodes)
-        return {-1., -0.5, 0., 0.5, 1.};
-      return {-0.5, 0., 0.5};
-    }
-
-    template<>
-    std::vector<FacetPoint<3>> places_of_facet<3>(const bool with_nodes)
-    {
-      std::vector<FacetPoint<3>> places;
-      for (const double xi : places_of_facet<2>(with_nodes))
-        for (const double eta : places_of_facet<2>(with_nodes))
-          places.emplace_back(xi, eta);
-      return places;
-    }
-
-
-
     /// By how much each facet may be beside the surface that it stands for, by
     /// the angles between the facets that meet smoothly at its nodes, as drawn:
     /// the sagitta. Corners and ends stand for themselves.
@@ -50,10 +26,11 @@ namespace Contact
       const auto         &means   = drawn.facet_normals();
       std::vector<double> sagittas(surface.facets.size(), 0.);
       for (unsigned int e = 0; e < surface.facets.size(); ++e)
-        for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+        for (unsigned int a = 0; a < surface.facets[e].n_nodes(); ++a)
           {
             const double cosine =
-              std::clamp(drawn.normal(e, node_place<dim>(a)) * means[e][a],
+              std::clamp(drawn.normal(e, surface.facets[e].kind->places[a]) *
+                           means[e][a],
                          -1.,
                          1.);
             sagittas[e] =
@@ -93,17 +70,18 @@ namespace Contact
       const SurfaceFacet<3> &of = surface.surface.facets[facet];
       const unsigned int     n  = surface.surface.degree;
       std::vector<EdgePiece> pieces;
-      for (unsigned int side = 0; side < of.n_sides; ++side)
+      for (unsigned int side = 0; side < of.n_sides(); ++side)
         if (of.corner[side] || of.ends_surface(side))
           for (unsigned int piece = 0; piece < n; ++piece)
             {
+              const auto     &ends  = of.kind->sides[side].ends;
+              const Point<2> &begin = of.kind->places[ends[0]],
+                             &end   = of.kind->places[ends[1]];
               EdgePiece edge;
-              edge.xi_from[side / 2] = edge.xi_to[side / 2] =
-                side % 2 == 0 ? -1 : 1;
-              edge.xi_from[1 - side / 2] = -1 + 2. * piece / n;
-              edge.xi_to[1 - side / 2]   = -1 + 2. * (piece + 1) / n;
-              edge.from = surface.position(facet, edge.xi_from);
-              edge.to   = surface.position(facet, edge.xi_to);
+              edge.xi_from = begin + 1. * piece / n * (end - begin);
+              edge.xi_to   = begin + 1. * (piece + 1) / n * (end - begin);
+              edge.from    = surface.position(facet, edge.xi_from);
+              edge.to      = surface.position(facet, edge.xi_to);
               pieces.push_back(edge);
             }
       return pieces;
@@ -191,13 +169,13 @@ namespace Contact
                      is_master ? slave.closest_alone(x).facet : e,
                      (boundary.position(f, closest.xi) - x) / behind};
       };
-      const auto places = places_of_facet<dim>(/*with_nodes=*/true);
       for (const unsigned int e :
            Utilities::MPI::create_evenly_distributed_partitioning(
              communicator,
              own.surface.facets.size()))
         {
-          for (const FacetPoint<dim> &xi : places)
+          for (const FacetPoint<dim> &xi :
+               own.surface.facets[e].kind->lattice(/*with_nodes=*/true))
             look_at(e, xi);
           for (const FacetPoint<dim> &xi : crossings(own, e, boundary))
             look_at(e, xi);
@@ -224,15 +202,15 @@ namespace Contact
       const auto is_held  = [&](const SurfaceFacet<dim> &facet,
                                const Tensor<1, dim>    &normal) {
         const double round_off = 1e-8;
-        for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+        for (unsigned int a = 0; a < facet.n_nodes(); ++a)
           if (discretization.free_part(slave.nodes[facet.nodes[a]].dofs, normal)
                 .norm() < round_off)
             return true;
         return false;
       };
-      const auto places = places_of_facet<dim>(at_nodes);
       for (unsigned int e = 0; e < slave.facets.size(); ++e)
-        for (const FacetPoint<dim> &xi : places)
+        for (const FacetPoint<dim> &xi :
+             slave.facets[e].kind->lattice(at_nodes))
           {
             const Point<dim> x       = now.position(e, xi);
             const auto       closest = obstacle.closest_point(x);

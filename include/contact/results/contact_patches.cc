@@ -145,7 +145,7 @@ namespace Contact
   {
     const SurfaceFacet<2> &edge = slave.facets[e];
     std::vector<double>    s;
-    for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+    for (unsigned int a = 0; a < slave.n_nodes_per_edge(); ++a)
       s.push_back(s_of_node[edge.nodes[a]]);
     if (s[1] < s[0])
       {

@@ -219,32 +219,12 @@ namespace Contact
 
   namespace
   {
-    /// The part of the node @p a of a facet in a force on it at @p xi: linear
-    /// between the nodes. The shape functions of degree 2 would pull at the far
-    /// ones.
-    template<int dim>
-    double part_of_force(const unsigned int     degree,
-                         const unsigned int     a,
-                         const FacetPoint<dim> &xi)
-    {
-      double part = 1;
-      for (unsigned int k = 0; k < dim - 1; ++k)
-        {
-          const double at   = coordinate(node_place<dim>(a), k);
-          const double here = std::clamp(+coordinate(xi, k), -1., 1.);
-          part *= std::max(0., 1 - std::abs(here - at) / (degree == 1 ? 2 : 1));
-        }
-      return part;
-    }
-
-
-
     template<int dim>
     double weight_of_node(const Surface<dim> &surface, const unsigned int node)
     {
       double weight = 0;
       for (const unsigned int e : surface.facets_of_node[node])
-        for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+        for (unsigned int a = 0; a < surface.facets[e].n_nodes(); ++a)
           if (surface.facets[e].nodes[a] == node)
             weight += share_of_node(surface, e, a);
       return weight;
@@ -274,14 +254,16 @@ namespace Contact
           Tensor<1, 2> force({now.lambda_n, 0.});
           if constexpr (dim == 2)
             force[1] = now.lambda_t[0];
-          for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+          // The shape functions of degree 2 would pull at the far nodes.
+          const SurfaceFacet<dim> &facet = slave.facets[point.master_facet];
+          const auto               parts =
+            facet.kind->hats(facet.kind->inside(point.master_xi));
+          for (unsigned int a = 0; a < facet.n_nodes(); ++a)
             {
-              const unsigned int n = slave.facets[point.master_facet].nodes[a];
+              const unsigned int n = facet.nodes[a];
               // None on an axis at degree 2.
               if (const double weight = weight_of_node(slave, n); weight > 0)
-                tractions[n] +=
-                  part_of_force<dim>(slave.degree, a, point.master_xi) *
-                  point.weight / weight * force;
+                tractions[n] += parts[a] * point.weight / weight * force;
             }
         }
     return tractions;

@@ -12,36 +12,6 @@ namespace Contact
 {
   namespace bgi = boost::geometry::index;
 
-  namespace
-  {
-    /// Lines of nodes along a coordinate of a facet: the first, the last and
-    /// the middle one.
-    using NodeLine = std::array<unsigned int, 3>;
-
-    // The last one in 3-D is there at degree 2 alone.
-    template<int dim>
-    std::vector<NodeLine> lines_along(const unsigned int k)
-    {
-      std::vector<NodeLine> lines;
-      for (unsigned int a = 0; a < PerFacetNode<dim, int>().size(); ++a)
-        if (is_on_side<dim>(a, 2 * k))
-          {
-            const auto node_at = [&](const double xi) {
-              FacetPoint<dim> place = node_place<dim>(a);
-              coordinate(place, k)  = xi;
-              unsigned int node     = 0;
-              while (node_place<dim>(node) != place)
-                ++node;
-              return node;
-            };
-            lines.push_back({{a, node_at(1), node_at(0)}});
-          }
-      return lines;
-    }
-  } // namespace
-
-
-
   template<int dim>
   DeformedSurface<dim>::DeformedSurface(
     const Surface<dim>            &surface,
@@ -75,8 +45,9 @@ namespace Contact
   {
     std::vector<Tensor<1, dim>> normals(positions.size());
     for (unsigned int e = 0; e < surface.facets.size(); ++e)
-      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-        normals[surface.facets[e].nodes[a]] += normal(e, node_place<dim>(a));
+      for (unsigned int a = 0; a < surface.facets[e].n_nodes(); ++a)
+        normals[surface.facets[e].nodes[a]] +=
+          normal(e, surface.facets[e].kind->places[a]);
     for (Tensor<1, dim> &normal : normals)
       normal /= normal.norm();
     return normals;
@@ -92,7 +63,7 @@ namespace Contact
     const auto        mean = normals();
     FacetNormals<dim> by_facet(surface.facets.size());
     for (unsigned int e = 0; e < surface.facets.size(); ++e)
-      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < surface.facets[e].n_nodes(); ++a)
         {
           const unsigned int node = surface.facets[e].nodes[a];
           by_facet[e][a]          = mean[node];
@@ -100,7 +71,9 @@ namespace Contact
             continue;
           Tensor<1, dim> sum;
           for (const unsigned int f : surface.parted[e][a])
-            sum += normal(f, node_place<dim>(surface.number_in(f, node)));
+            sum += normal(
+              f,
+              surface.facets[f].kind->places[surface.number_in(f, node)]);
           by_facet[e][a] = sum / sum.norm();
         }
     of_facets = std::move(by_facet);
@@ -114,7 +87,7 @@ namespace Contact
   DeformedSurface<dim>::facet_positions(const unsigned int facet) const
   {
     FacetNodes<dim> x;
-    for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+    for (unsigned int a = 0; a < surface.facets[facet].n_nodes(); ++a)
       x[a] = positions[surface.facets[facet].nodes[a]];
     return x;
   }
@@ -122,50 +95,25 @@ namespace Contact
 
 
   template<int dim>
-  std::pair<double, double>
-  DeformedSurface<dim>::range(const unsigned int facet,
-                              const unsigned int k) const
+  typename FacetKind<dim>::Limits
+  DeformedSurface<dim>::limits(const unsigned int facet) const
   {
-    const auto &ends = surface.facets[facet].ends_side;
-    return {ends[2 * k] ? -1 - beyond_ends : -1.,
-            ends[2 * k + 1] ? 1 + beyond_ends : 1.};
+    const SurfaceFacet<dim> &of     = surface.facets[facet];
+    auto                     limits = of.kind->without_overhang();
+    for (unsigned int s = 0; s < of.n_sides(); ++s)
+      if (of.ends_side[s])
+        limits[s] = 1 + beyond_ends;
+    return limits;
   }
 
 
 
-  // At degree 2 the middle one of the control points of a line of three nodes
-  // a, m, b is 2 m - (a + b) / 2. With an overhang the line goes on to where
-  // its own control points are.
   template<int dim>
   std::vector<Point<dim>>
   DeformedSurface<dim>::hull(const unsigned int facet) const
   {
-    static const auto lines = []() {
-      std::array<std::vector<NodeLine>, dim - 1> by_coordinate;
-      for (unsigned int k = 0; k < dim - 1; ++k)
-        by_coordinate[k] = lines_along<dim>(k);
-      return by_coordinate;
-    }();
-    FacetNodes<dim> points = facet_positions(facet);
-    for (unsigned int k = 0; k < dim - 1; ++k)
-      for (const auto &[first, last, middle] : lines[k])
-        {
-          const auto [begin, end] = range(facet, k);
-          const Point<dim>     a = points[first], b = points[last];
-          const Tensor<1, dim> slope = 0.5 * (b - a);
-          if (surface.degree == 1)
-            {
-              points[first] = a + (begin + 1) * slope;
-              points[last]  = b + (end - 1) * slope;
-              continue;
-            }
-          const Point<dim>     m    = points[middle];
-          const Tensor<1, dim> bend = 0.5 * ((a - m) + (b - m));
-          points[first]             = m + begin * slope + begin * begin * bend;
-          points[last]              = m + end * slope + end * end * bend;
-          points[middle] = m + 0.5 * (begin + end) * slope + begin * end * bend;
-        }
-    return {points.begin(), points.begin() + surface.n_nodes_per_facet()};
+    return surface.facets[facet].kind->hull(facet_positions(facet),
+                                            limits(facet));
   }
 
 
@@ -233,11 +181,11 @@ namespace Contact
   Point<dim> DeformedSurface<dim>::position(const unsigned int     facet,
                                             const FacetPoint<dim> &xi) const
   {
-    const auto  values = FacetShape<dim>::values(surface.degree, xi);
-    const auto &nodes  = surface.facets[facet].nodes;
-    Point<dim>  x;
-    for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-      x += values[a] * positions[nodes[a]];
+    const SurfaceFacet<dim> &of     = surface.facets[facet];
+    const auto               values = FacetShape<dim>::values(*of.kind, xi);
+    Point<dim>               x;
+    for (unsigned int a = 0; a < of.n_nodes(); ++a)
+      x += values[a] * positions[of.nodes[a]];
     return x;
   }
 
@@ -302,8 +250,8 @@ namespace Contact
     const double distance  = distance_square(x, candidate);
     const double round_off = 1e-10;
     const auto  &facet     = surface.facets[candidate.facet];
-    for (unsigned int s = 0; s < facet.n_sides; ++s)
-      if (is_on_side(candidate.xi, s) && !facet.corner[s] &&
+    for (unsigned int s = 0; s < facet.n_sides(); ++s)
+      if (facet.kind->is_on_side(candidate.xi, s) && !facet.corner[s] &&
           !facet.ends_surface(s) &&
           distance_square(x, project(x, facet.neighbors[s])) <
             (1 - round_off) * distance)
@@ -373,14 +321,16 @@ namespace Contact
                                       const Accept   &accept,
                                       Projection<3>  &found) const
   {
-    if (std::abs(found.xi[0]) != 1 && std::abs(found.xi[1]) != 1)
+    const SurfaceFacet<3> &own = surface.facets[found.facet];
+    if (std::none_of(own.kind->sides.begin(),
+                     own.kind->sides.end(),
+                     [&](const auto &side) { return side.at(found.xi) == 1; }))
       return;
     const double   round_off = 1e-8 * surface.reference_length(found.facet);
     const Point<3> here      = position(found.facet, found.xi);
     std::set<unsigned int> around;
-    for (unsigned int a = 0; a < 4; ++a)
-      for (const unsigned int e :
-           surface.facets_of_node[surface.facets[found.facet].nodes[a]])
+    for (unsigned int a = 0; a < own.kind->n_vertices; ++a)
+      for (const unsigned int e : surface.facets_of_node[own.nodes[a]])
         if (e != found.facet)
           around.insert(e);
     for (const unsigned int e : around)
@@ -397,19 +347,16 @@ namespace Contact
   Projection<dim> DeformedSurface<dim>::project(const Point<dim>  &x,
                                                 const unsigned int facet) const
   {
-    std::array<std::pair<double, double>, dim - 1> box;
-    for (unsigned int k = 0; k < dim - 1; ++k)
-      box[k] = range(facet, k);
+    const SurfaceFacet<dim> &of   = surface.facets[facet];
+    const auto               ends = limits(facet);
     const auto [xi, whole] =
-      project_on_facet(surface.degree, x, facet_positions(facet), box);
+      project_on_facet(*of.kind, x, facet_positions(facet), ends);
     Projection<dim> found;
-    found.facet      = facet;
-    found.xi         = xi;
-    found.clipped    = xi != whole;
-    const auto &ends = surface.facets[facet].ends_side;
-    for (unsigned int k = 0; k < dim - 1; ++k)
-      if ((coordinate(whole, k) < box[k].first && ends[2 * k]) ||
-          (coordinate(whole, k) > box[k].second && ends[2 * k + 1]))
+    found.facet   = facet;
+    found.xi      = xi;
+    found.clipped = xi != whole;
+    for (unsigned int s = 0; s < of.n_sides(); ++s)
+      if (of.ends_side[s] && of.kind->sides[s].at(whole) > ends[s])
         found.beyond_end = true;
     return found;
   }
@@ -420,8 +367,8 @@ namespace Contact
   bool DeformedSurface<dim>::is_at_end(const Projection<dim> &projection) const
   {
     const auto &facet = surface.facets[projection.facet];
-    for (unsigned int s = 0; s < facet.n_sides; ++s)
-      if (facet.ends_surface(s) && is_on_side(projection.xi, s))
+    for (unsigned int s = 0; s < facet.n_sides(); ++s)
+      if (facet.ends_surface(s) && facet.kind->is_on_side(projection.xi, s))
         return true;
     return false;
   }

@@ -77,7 +77,9 @@ namespace Contact
     Tensor<1, dim> normal(const unsigned int     facet,
                           const FacetPoint<dim> &xi) const
     {
-      return facet_normal<dim>(surface.degree, facet_positions(facet), xi);
+      return facet_normal<dim>(*surface.facets[facet].kind,
+                               facet_positions(facet),
+                               xi);
     }
 
     /// The outward unit normals at the nodes: the mean of those of the facets
@@ -186,10 +188,8 @@ namespace Contact
                     const Accept     &accept,
                     Projection<dim>  &found) const;
 
-    /// The interval of a coordinate of a facet, with the overhang at an end of
-    /// a face.
-    std::pair<double, double> range(const unsigned int facet,
-                                    const unsigned int k) const;
+    /// How far a facet goes, with the overhang at an end of a face.
+    typename FacetKind<dim>::Limits limits(const unsigned int facet) const;
 
     FacetNodes<dim> facet_positions(const unsigned int facet) const;
 

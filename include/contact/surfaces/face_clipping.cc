@@ -28,22 +28,26 @@ namespace Contact
 
 
 
-    /// Counterclockwise round its corners.
-    Polygon make_polygon(const PlaneQuadrangle &q)
-    {
-      if (twice_area(q[0], q[1], q[3]) + twice_area(q[0], q[3], q[2]) >= 0)
-        return Polygon{q[0], q[1], q[3], q[2]};
-      return Polygon{q[0], q[2], q[3], q[1]};
-    }
-
-
-
     double area(const Polygon &polygon)
     {
       double area = 0;
       for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
         area += 0.5 * twice_area(polygon[0], polygon[i], polygon[i + 1]);
       return area;
+    }
+
+
+
+    /// Counterclockwise round its corners, of which the last two of a
+    /// quadrangle are the other way round in deal.II.
+    Polygon make_polygon(const PlaneFacet &facet)
+    {
+      Polygon polygon(facet.begin(), facet.end());
+      if (polygon.size() == 4)
+        std::swap(polygon[2], polygon[3]);
+      if (area(polygon) < 0)
+        std::reverse(polygon.begin() + 1, polygon.end());
+      return polygon;
     }
 
 
@@ -103,8 +107,7 @@ namespace Contact
 
 
   // A convex polygon is the triangles between a point inside and its sides.
-  PlaneTriangles intersection(const PlaneQuadrangle &a,
-                              const PlaneQuadrangle &b)
+  PlaneTriangles intersection(const PlaneFacet &a, const PlaneFacet &b)
   {
     const Polygon subject = make_polygon(a), window = make_polygon(b);
     const double  least  = 1e-12 * std::min(area(subject), area(window));
@@ -130,12 +133,27 @@ namespace Contact
 
 
 
-  BilinearMap::BilinearMap(const PlaneQuadrangle &q)
-    : middle(0.25 * (q[0] + (q[1] - Point<2>()) + (q[2] - Point<2>()) +
-                     (q[3] - Point<2>()) - Point<2>()))
-    , by_x(0.25 * ((q[1] - q[0]) + (q[3] - q[2])))
-    , by_y(0.25 * ((q[2] - q[0]) + (q[3] - q[1])))
-    , mixed(0.25 * ((q[3] - q[2]) - (q[1] - q[0])))
+  // A triangle is half of a parallelogram.
+  BilinearMap::BilinearMap(const PlaneFacet &facet)
+    : BilinearMap(facet[0],
+                  facet[1],
+                  facet[2],
+                  facet.size() == 4 ? facet[3]
+                                    : facet[1] + (facet[2] - facet[0]))
+  {
+  }
+
+
+
+  BilinearMap::BilinearMap(const Point<2> &a,
+                           const Point<2> &b,
+                           const Point<2> &c,
+                           const Point<2> &d)
+    : middle(0.25 * (a + (b - Point<2>()) + (c - Point<2>()) +
+                     (d - Point<2>()) - Point<2>()))
+    , by_x(0.25 * ((b - a) + (d - c)))
+    , by_y(0.25 * ((c - a) + (d - b)))
+    , mixed(0.25 * ((d - c) - (b - a)))
     , bend((std::abs(cross(by_x, mixed)) + std::abs(cross(mixed, by_y))) /
            std::abs(cross(by_x, by_y)))
   {

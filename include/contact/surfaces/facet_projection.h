@@ -6,8 +6,6 @@
 #ifndef contact_facet_projection_h
 #define contact_facet_projection_h
 
-#include <utility>
-
 #include "contact/surfaces/facet_shapes.h"
 
 namespace Contact
@@ -18,21 +16,21 @@ namespace Contact
   template<int dim>
   using FacetNodes = PerFacetNode<dim, Point<dim>>;
 
-  /// The closest point of a facet whose coordinates are in a box.
+  /// The closest point of a facet within its limits.
   template<int dim>
   struct FacetProjection
   {
     FacetPoint<dim> xi;
-    FacetPoint<dim> unbounded; // of the facet as it goes on beyond the box
+    FacetPoint<dim> unbounded; // of the facet as it goes on beyond them
   };
 
-  /// The closest point to @p x. The box has an interval of each coordinate.
+  /// The closest point to @p x.
   template<int dim>
   FacetProjection<dim>
-  project_on_facet(const unsigned int                                    degree,
-                   const Point<dim>                                     &x,
-                   const FacetNodes<dim>                                &nodes,
-                   const std::array<std::pair<double, double>, dim - 1> &box);
+  project_on_facet(const FacetKind<dim>                  &kind,
+                   const Point<dim>                      &x,
+                   const FacetNodes<dim>                 &nodes,
+                   const typename FacetKind<dim>::Limits &limits);
 } // namespace Contact
 
 #endif

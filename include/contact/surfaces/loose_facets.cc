@@ -12,6 +12,8 @@
 #include <numeric>
 #include <utility>
 
+#include "mesh/face_middle.h"
+
 namespace Contact
 {
   namespace
@@ -57,7 +59,8 @@ namespace Contact
 
 
     /// The coordinates of a facet go round the outward normal.
-    void orient(LooseFacet<2> &edge, const Tensor<1, 2> &inward)
+    void
+    orient(LooseFacet<2> &edge, const unsigned int, const Tensor<1, 2> &inward)
     {
       const Tensor<1, 2> along = edge.nodes[1].X - edge.nodes[0].X;
       if (along[0] * inward[1] - along[1] * inward[0] < 0)
@@ -66,17 +69,18 @@ namespace Contact
 
 
 
-    // Exchanged coordinates exchange two corners, and the middles of the sides.
-    void orient(LooseFacet<3> &facet, const Tensor<1, 3> &inward)
+    void orient(LooseFacet<3>      &facet,
+                const unsigned int  degree,
+                const Tensor<1, 3> &inward)
     {
-      auto              &nodes = facet.nodes;
-      const Tensor<1, 3> outward =
-        cross_product_3d(nodes[3].X - nodes[0].X, nodes[2].X - nodes[1].X);
-      if (outward * inward < 0)
-        return;
-      std::swap(nodes[1], nodes[2]);
-      std::swap(nodes[4], nodes[6]);
-      std::swap(nodes[5], nodes[7]);
+      const FacetKind<3>       &kind = facet_kind<3>(facet.n_vertices, degree);
+      const auto                from = facet.nodes;
+      PerFacetNode<3, Point<3>> X;
+      for (unsigned int a = 0; a < kind.n_nodes; ++a)
+        X[a] = from[a].X;
+      if (facet_normal<3>(kind, X, kind.middle) * inward >= 0)
+        for (unsigned int a = 0; a < kind.n_nodes; ++a)
+          facet.nodes[a] = from[kind.reversed[a]];
     }
 
 
@@ -85,9 +89,10 @@ namespace Contact
     /// a larger side of degree 2 is the node that the larger facet has there.
     template<int dim>
     void find_leaders(const AffineConstraints<double> &hanging,
+                      const unsigned int               degree,
                       LooseFacet<dim>                 &facet)
     {
-      for (unsigned int a = 0; a < facet.nodes.size(); ++a)
+      for (unsigned int a = 0, n = facet.n_nodes(degree); a < n; ++a)
         {
           auto       &dofs    = facet.nodes[a].dofs;
           const auto *entries = hanging.get_constraint_entries(dofs[0]);
@@ -121,13 +126,15 @@ namespace Contact
       cell->get_dof_indices(of_cell);
 
       LooseFacet<dim> facet;
-      facet.body  = cell->material_id();
-      facet.piece = discretization.piece(cell);
-      facet.level = cell->level();
+      facet.body       = cell->material_id();
+      facet.piece      = discretization.piece(cell);
+      facet.level      = cell->level();
+      facet.n_vertices = face->n_vertices();
       // Round sides do not make a flat face round.
-      facet.middle = face->center(
-        /*respect_manifold=*/face->manifold_id() != numbers::flat_manifold_id);
-      facet.name = facet_name(discretization, face);
+      facet.middle = face->manifold_id() == numbers::flat_manifold_id
+                       ? face->center()
+                       : middle_of_face(face);
+      facet.name   = facet_name(discretization, face);
       for (unsigned int k = 0; k < dofs.size(); ++k)
         {
           const auto [c, a]      = fe.face_system_to_component_index(k, f);
@@ -145,7 +152,7 @@ namespace Contact
                   fe.base_element(0).unit_support_point(
                     fe.system_to_component_index(in_cell).second));
         }
-      orient(facet, cell->center() - face->center());
+      orient(facet, discretization.degree, cell->center() - face->center());
       return facet;
     }
   } // namespace
@@ -180,7 +187,7 @@ namespace Contact
               boundary_ids.count(cell->face(f)->boundary_id()) > 0)
             {
               own.push_back(make_loose_facet<dim>(discretization, cell, f));
-              find_leaders(hanging, own.back());
+              find_leaders(hanging, discretization.degree, own.back());
               own.back().part = of_cell;
             }
       }

@@ -21,6 +21,7 @@ namespace Contact
   template<int dim>
   struct LooseFacet
   {
+    unsigned int                        n_vertices;
     PerFacetNode<dim, SurfaceNode<dim>> nodes;
     types::material_id                  body;
     unsigned int                        piece;
@@ -34,9 +35,15 @@ namespace Contact
     PerFacetNode<dim, std::vector<std::pair<types::global_dof_index, double>>>
       parents;
 
+    unsigned int n_nodes(const unsigned int degree) const
+    {
+      return facet_kind<dim>(n_vertices, degree).n_nodes;
+    }
+
     template<class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
+      archive &n_vertices;
       for (SurfaceNode<dim> &node : nodes)
         {
           for (auto &dof : node.dofs)

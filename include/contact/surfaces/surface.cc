@@ -73,13 +73,14 @@ namespace Contact
       for (const LooseFacet<dim> &loose : of_rank)
         {
           SurfaceFacet<dim> facet;
+          facet.kind   = &facet_kind<dim>(loose.n_vertices, degree);
           facet.body   = loose.body;
           facet.piece  = loose.piece;
           facet.part   = loose.part;
           facet.middle = loose.middle;
           facet.level  = loose.level;
           facet.name   = loose.name;
-          for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+          for (unsigned int a = 0; a < facet.n_nodes(); ++a)
             {
               const SurfaceNode<dim> &node = loose.nodes[a];
               const auto              found =
@@ -94,7 +95,7 @@ namespace Contact
     parents.resize(nodes.size());
     for (const auto &of_rank : all_facets)
       for (const LooseFacet<dim> &loose : of_rank)
-        for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+        for (unsigned int a = 0, n = loose.n_nodes(degree); a < n; ++a)
           if (auto &of_node = parents[node_of_dof.at(loose.nodes[a].dofs[0])];
               of_node.empty())
             for (const auto &[dof, part] : loose.parents[a])
@@ -159,11 +160,11 @@ namespace Contact
     Tensor<1, dim> sum;
     for (const unsigned int e : facets_of_node[node])
       {
+        const FacetKind<dim>         &kind = *facets[e].kind;
         PerFacetNode<dim, Point<dim>> x;
-        for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+        for (unsigned int a = 0; a < kind.n_nodes; ++a)
           x[a] = position(facets[e].nodes[a], u);
-        sum +=
-          facet_normal<dim>(degree, x, node_place<dim>(number_in(e, node)));
+        sum += facet_normal<dim>(kind, x, kind.places[number_in(e, node)]);
       }
     return sum / sum.norm();
   }
@@ -175,7 +176,7 @@ namespace Contact
   {
     facets_of_node.assign(nodes.size(), {});
     for (unsigned int e = 0; e < facets.size(); ++e)
-      for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < facets[e].n_nodes(); ++a)
         facets_of_node[facets[e].nodes[a]].push_back(e);
   }
 
@@ -233,10 +234,9 @@ namespace Contact
         parents[i] = parents[original[i]];
         std::set<unsigned int> near(side_of[i].begin(), side_of[i].end());
         for (const unsigned int e : side_of[i])
-          for (const unsigned int a : {0, 1, 2, 3})
-            if (a < GeometryInfo<dim - 1>::vertices_per_cell)
-              for (const unsigned int other : same_side(e, a))
-                near.insert(other);
+          for (unsigned int a = 0; a < facets[e].kind->n_vertices; ++a)
+            for (const unsigned int other : same_side(e, a))
+              near.insert(other);
         for (Part &parent : parents[i])
           for (const unsigned int copy : copies[parent.first])
             if (std::any_of(side_of[copy].begin(),
@@ -262,9 +262,9 @@ namespace Contact
     const unsigned int        node = facets[facet].nodes[a];
     std::vector<unsigned int> around{facet};
     const auto leads_to = [&](const unsigned int from, const unsigned int to) {
-      for (unsigned int s = 0; s < SurfaceFacet<dim>::n_sides; ++s)
+      for (unsigned int s = 0; s < facets[from].n_sides(); ++s)
         if (facets[from].neighbors[s] == to && !facets[from].corner[s] &&
-            is_on_side<dim>(number_in(from, node), s))
+            facets[from].kind->has_on_side(number_in(from, node), s))
           return true;
       return false;
     };
@@ -284,7 +284,7 @@ namespace Contact
   {
     parted.resize(facets.size());
     for (unsigned int e = 0; e < facets.size(); ++e)
-      for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < facets[e].n_nodes(); ++a)
         {
           auto around = smooth_around(e, a);
           if (around.size() != facets_of_node[facets[e].nodes[a]].size())
@@ -297,13 +297,13 @@ namespace Contact
   template<int dim>
   double Surface<dim>::reference_length(const unsigned int facet) const
   {
-    const auto        &a        = facets[facet].nodes;
-    const unsigned int last     = GeometryInfo<dim - 1>::vertices_per_cell - 1;
-    double             shortest = std::numeric_limits<double>::max();
-    for (unsigned int v = 0; v <= last / 2; ++v)
+    const auto           &of_facet = facets[facet].nodes;
+    const FacetKind<dim> &kind     = *facets[facet].kind;
+    double                shortest = std::numeric_limits<double>::max();
+    for (const auto &[a, b] : kind.size_lines)
       shortest =
-        std::min(shortest, nodes[a[v]].X.distance(nodes[a[last - v]].X));
-    return shortest / std::sqrt(dim - 1.);
+        std::min(shortest, nodes[of_facet[a]].X.distance(nodes[of_facet[b]].X));
+    return shortest / kind.size_divisor;
   }
 
   template class Surface<2>;

@@ -31,10 +31,10 @@ namespace Contact
 
 
   /// A facet is known by the first unknowns of its vertices, in ascending
-  /// order.
+  /// order; that of a triangle has an invalid one.
   template<int dim>
-  using FacetName = std::array<types::global_dof_index,
-                               GeometryInfo<dim - 1>::vertices_per_cell>;
+  using FacetName =
+    std::array<types::global_dof_index, FacetKind<dim>::max_vertices>;
 
   /// The name of a face of a cell at the boundary.
   template<int dim, typename Face>
@@ -42,7 +42,8 @@ namespace Contact
                             const Face                   &face)
   {
     FacetName<dim> name;
-    for (unsigned int v = 0; v < name.size(); ++v)
+    name.fill(numbers::invalid_dof_index);
+    for (unsigned int v = 0; v < face->n_vertices(); ++v)
       name[v] = discretization.vertex_dofs[face->vertex_index(v)][0];
     std::sort(name.begin(), name.end());
     return name;
@@ -52,25 +53,34 @@ namespace Contact
 
   /**
    * A facet: in 2-D an edge, with the body to its left, in 3-D a
-   * quadrangle, whose coordinates are a right-handed system with the outward
-   * normal. Its sides, of an edge its ends, in the order of deal.II: where the
-   * first coordinate is -1 and 1, then the second one.
+   * quadrangle or a triangle, whose coordinates are a right-handed system with
+   * the outward normal. Its sides, of an edge its ends, are in the order of
+   * deal.II.
    */
   template<int dim>
   struct SurfaceFacet
   {
-    static constexpr unsigned int n_sides =
-      GeometryInfo<dim - 1>::faces_per_cell;
-
     /// Something of each side.
     template<typename T>
-    using PerSide = std::array<T, n_sides>;
+    using PerSide = std::array<T, FacetKind<dim>::max_sides>;
 
     SurfaceFacet()
     {
       nodes.fill(0);
       neighbors.fill(numbers::invalid_unsigned_int);
       ends_side.fill(true);
+    }
+
+    const FacetKind<dim> *kind = nullptr;
+
+    unsigned int n_nodes() const
+    {
+      return kind->n_nodes;
+    }
+
+    unsigned int n_sides() const
+    {
+      return kind->n_sides;
     }
 
     /// In the order of the shape functions.
@@ -100,6 +110,13 @@ namespace Contact
       return neighbors[side] == numbers::invalid_unsigned_int;
     }
 
+    /// The node at the first, or the other, end of a side of a face.
+    unsigned int end_of_side(const unsigned int side,
+                             const unsigned int end) const
+    {
+      return nodes[kind->sides[side].ends[end]];
+    }
+
     /// Where a corner is between the two.
     PerSide<bool> corner{};
 
@@ -113,12 +130,6 @@ namespace Contact
     PerSide<bool> is_feature{};
   };
 
-  /// The corners at the ends of the sides of a quadrangle.
-  constexpr std::array<std::array<unsigned int, 2>, 4> corners_of_side{
-    {{{0, 2}}, {{1, 3}}, {{0, 1}}, {{2, 3}}}};
-
-
-
   /// The manner in which a surface is read: as it is, or cut into smooth sides.
   enum class SurfaceCut
   {
@@ -130,7 +141,7 @@ namespace Contact
 
   /**
    * A boundary of the bodies: in 2-D a chain of straight or parabolic
-   * edges, in 3-D quadrangles, bilinear or of degree 2.
+   * edges, in 3-D quadrangles and triangles of degree 1 or 2.
    *
    * A slave is cut into smooth sides at its feature nodes and corners. A mesh
    * node there is a surface node on each of its sides: it has the same unknowns
@@ -211,9 +222,10 @@ namespace Contact
     /// end by a right angle. In 2-D.
     std::vector<double> turning_angles;
 
-    unsigned int n_nodes_per_facet() const
+    /// The nodes of an edge in 2-D.
+    unsigned int n_nodes_per_edge() const
     {
-      return Utilities::fixed_power<dim - 1>(degree + 1);
+      return degree + 1;
     }
 
     /// Current position of a node; of an empty vector the undeformed one.
@@ -244,7 +256,8 @@ namespace Contact
     std::vector<PerFacetNode<dim, std::vector<unsigned int>>> parted;
 
     /// The size of a facet, undeformed [mm]: the distance of the ends of an
-    /// edge, the shorter one of the diagonals by the root of two.
+    /// edge, the shortest side of a triangle, the shorter one of the diagonals
+    /// of a quadrangle by the root of two.
     double reference_length(const unsigned int facet) const;
 
     /// The length that the digits of a mesh file do not resolve there [mm].
@@ -259,8 +272,8 @@ namespace Contact
     Number reference_jacobian(const SurfaceFacet<dim>        &facet,
                               const FacetShapes<dim, Number> &shape) const;
 
-    /// The integrals of the shape functions of a facet, undeformed [mm^2]. In
-    /// 3-D.
+    /// The integrals of the test functions of a facet, see FacetKind::tests(),
+    /// undeformed [mm^2]. In 3-D.
     std::vector<double> shares_of_nodes(const unsigned int facet) const;
 
     /// Arc length of all nodes from the first one [mm], from the positions
@@ -319,7 +332,7 @@ namespace Contact
   {
     Tensor<1, dim, Number>                      X;
     std::array<Tensor<1, dim, Number>, dim - 1> tangents;
-    for (unsigned int a = 0; a < n_nodes_per_facet(); ++a)
+    for (unsigned int a = 0; a < facet.n_nodes(); ++a)
       {
         const Tensor<1, dim> X_a(nodes[facet.nodes[a]].X);
         X += shape.value[a] * X_a;

@@ -37,7 +37,7 @@ namespace Contact
     {
       const EdgeShape shape(chain.degree, xi);
       Tensor<1, 2>    tangent;
-      for (unsigned int a = 0; a < chain.n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < chain.n_nodes_per_edge(); ++a)
         tangent += shape.first[a] * chain.nodes[edge.nodes[a]].X;
       return tangent;
     }

@@ -192,20 +192,37 @@ namespace Contact
 
 
 
+  // A pressure at a vertex alone does no work there.
+  void check_nodal_slave(const Surface<3>          &slave,
+                         const Parameters::Contact &parameters)
+  {
+    for (const SurfaceFacet<3> &facet : slave.facets)
+      if (facet.kind->part_of_sides > 0)
+        throw InputError("the slave '" + parameters.slave +
+                           "' has triangles of 6 nodes, whose vertices take no "
+                           "force: a pressure for each node is not determined",
+                         parameters.section() + "/Slave",
+                         "take the mortar discretization, or this surface as "
+                         "master");
+  }
+
+  void check_nodal_slave(const Surface<2> &, const Parameters::Contact &)
+  {
+  }
+
+
+
   template<int dim>
   bool overlap(const Surface<dim> &a, const Surface<dim> &b)
   {
-    const auto ends = [](const Surface<dim>      &surface,
-                         const SurfaceFacet<dim> &edge) {
-      return std::minmax(surface.nodes[edge.nodes[0]].dofs[0],
-                         surface.nodes[edge.nodes[1]].dofs[0]);
-    };
-    std::set<std::pair<types::global_dof_index, types::global_dof_index>> of_a;
-    for (const SurfaceFacet<dim> &edge : a.facets)
-      of_a.insert(ends(a, edge));
-    return std::any_of(b.facets.begin(), b.facets.end(), [&](const auto &edge) {
-      return of_a.count(ends(b, edge)) > 0;
-    });
+    std::set<FacetName<dim>> of_a;
+    for (const SurfaceFacet<dim> &facet : a.facets)
+      of_a.insert(facet.name);
+    return std::any_of(b.facets.begin(),
+                       b.facets.end(),
+                       [&](const auto &facet) {
+                         return of_a.count(facet.name) > 0;
+                       });
   }
 
 #define INSTANTIATE(dim)                                                     \

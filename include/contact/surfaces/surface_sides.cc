@@ -3,9 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// The part of Surface on what quadrangles in 3-D are: sides in common.
-
-#include <deal.II/base/quadrature_lib.h>
+// The part of Surface on what facets in 3-D have: sides in common.
 
 #include <algorithm>
 #include <map>
@@ -18,6 +16,14 @@ namespace Contact
   {
     /// Two nodes, or a facet and the number of a side.
     using Side = std::pair<unsigned int, unsigned int>;
+
+
+
+    Side ends_of_side(const SurfaceFacet<3> &facet, const unsigned int side)
+    {
+      return std::minmax(facet.end_of_side(side, 0),
+                         facet.end_of_side(side, 1));
+    }
 
 
 
@@ -34,17 +40,16 @@ namespace Contact
 
       std::map<Side, Side> side_of; // by the ends of halves
       for (unsigned int e = 0; e < surface.facets.size(); ++e)
-        for (unsigned int s = 0; s < 4; ++s)
+        for (unsigned int s = 0; s < surface.facets[e].n_sides(); ++s)
           {
-            const auto [a, b] = corners_of_side[s];
-            const Side ends   = std::minmax(surface.facets[e].nodes[a],
-                                          surface.facets[e].nodes[b]);
-            const auto halve  = [&](const unsigned int middle) {
+            const SurfaceFacet<3> &facet = surface.facets[e];
+            const Side             ends  = ends_of_side(facet, s);
+            const auto             halve = [&](const unsigned int middle) {
               side_of.emplace(std::minmax(ends.first, middle), Side(e, s));
               side_of.emplace(std::minmax(middle, ends.second), Side(e, s));
             };
             if (surface.degree == 2)
-              halve(surface.facets[e].nodes[4 + s]);
+              halve(facet.nodes[facet.kind->middle_of_side(s)]);
             else if (const auto found = middles.find(ends);
                      found != middles.end())
               for (const unsigned int middle : found->second)
@@ -52,12 +57,10 @@ namespace Contact
           }
 
       for (unsigned int e = 0; e < surface.facets.size(); ++e)
-        for (unsigned int s = 0; s < 4; ++s)
+        for (unsigned int s = 0; s < surface.facets[e].n_sides(); ++s)
           {
-            const auto [a, b] = corners_of_side[s];
             const auto larger =
-              side_of.find(std::minmax(surface.facets[e].nodes[a],
-                                       surface.facets[e].nodes[b]));
+              side_of.find(ends_of_side(surface.facets[e], s));
             if (!surface.facets[e].ends_surface(s) || larger == side_of.end())
               continue;
             const auto [other, side]       = larger->second;
@@ -73,12 +76,10 @@ namespace Contact
     {
       std::map<Side, Side> side_of;
       for (unsigned int e = 0; e < surface.facets.size(); ++e)
-        for (unsigned int s = 0; s < 4; ++s)
+        for (unsigned int s = 0; s < surface.facets[e].n_sides(); ++s)
           {
-            const auto [a, b] = corners_of_side[s];
-            const Side ends   = std::minmax(surface.facets[e].nodes[a],
-                                          surface.facets[e].nodes[b]);
-            const auto found  = side_of.emplace(ends, Side(e, s));
+            const Side ends  = ends_of_side(surface.facets[e], s);
+            const auto found = side_of.emplace(ends, Side(e, s));
             if (found.second)
               continue;
             const auto [other, side]              = found.first->second;
@@ -97,23 +98,22 @@ namespace Contact
     {
       const DeformedSurface<3> drawn(surface, {});
       const auto normal_at = [&](const unsigned int e, const Side &ends) {
-        Tensor<1, 3> sum;
-        for (unsigned int a = 0; a < 4; ++a)
-          if (surface.facets[e].nodes[a] == ends.first ||
-              surface.facets[e].nodes[a] == ends.second)
-            sum += drawn.normal(e, node_place<3>(a));
+        Tensor<1, 3>           sum;
+        const SurfaceFacet<3> &facet = surface.facets[e];
+        for (unsigned int a = 0; a < facet.kind->n_vertices; ++a)
+          if (facet.nodes[a] == ends.first || facet.nodes[a] == ends.second)
+            sum += drawn.normal(e, facet.kind->places[a]);
         return sum / sum.norm();
       };
       const double smallest_cosine =
         std::cos(numbers::PI / 180 * Surface<3>::feature_angle);
       for (unsigned int e = 0; e < surface.facets.size(); ++e)
-        for (unsigned int s = 0; s < 4; ++s)
+        for (unsigned int s = 0; s < surface.facets[e].n_sides(); ++s)
           {
             SurfaceFacet<3> &facet = surface.facets[e];
             if (facet.ends_surface(s))
               continue;
-            const auto [a, b] = corners_of_side[s];
-            const Side         ends(facet.nodes[a], facet.nodes[b]);
+            const Side ends(facet.end_of_side(s, 0), facet.end_of_side(s, 1));
             const Tensor<1, 3> own  = normal_at(e, ends);
             const Tensor<1, 3> next = normal_at(facet.neighbors[s], ends);
             facet.corner[s]         = own * next < smallest_cosine;
@@ -151,7 +151,7 @@ namespace Contact
   void Surface<3>::cut_links()
   {
     for (SurfaceFacet<3> &facet : facets)
-      for (unsigned int s = 0; s < 4; ++s)
+      for (unsigned int s = 0; s < facet.n_sides(); ++s)
         if (facet.corner[s])
           {
             facet.neighbors[s] = numbers::invalid_unsigned_int;
@@ -171,19 +171,22 @@ namespace Contact
     for (unsigned int e = 0; e < facets.size(); ++e)
       {
         const SurfaceFacet<3> &facet = facets[e];
+        const unsigned int     n     = facet.kind->n_vertices;
         Tensor<1, 3>           centre;
-        for (unsigned int a = 0; a < 4; ++a)
-          centre += 0.25 * Tensor<1, 3>(nodes[facet.nodes[a]].X);
+        for (unsigned int a = 0; a < n; ++a)
+          centre += 1. / n * Tensor<1, 3>(nodes[facet.nodes[a]].X);
         const double size =
-          nodes[facet.nodes[0]].X.distance(nodes[facet.nodes[3]].X);
+          nodes[facet.nodes[0]].X.distance(nodes[facet.nodes[n - 1]].X);
         if ((facet.middle - centre).norm() > 1e-6 * size)
           continue;
-        for (unsigned int s = 0; s < 4; ++s)
+        const auto normal_at_first = [&](const unsigned int of) {
+          return drawn.normal(of, facets[of].kind->places[0]);
+        };
+        for (unsigned int s = 0; s < facet.n_sides(); ++s)
           if (!facet.corner[s] && !facet.ends_surface(s))
-            smallest_cosine =
-              std::min(smallest_cosine,
-                       drawn.normal(e, node_place<3>(0)) *
-                         drawn.normal(facet.neighbors[s], node_place<3>(0)));
+            smallest_cosine = std::min(smallest_cosine,
+                                       normal_at_first(e) *
+                                         normal_at_first(facet.neighbors[s]));
       }
     return 180 / numbers::PI * std::acos(std::max(-1., smallest_cosine));
   }
@@ -194,17 +197,15 @@ namespace Contact
   std::vector<double>
   Surface<3>::shares_of_nodes(const unsigned int facet) const
   {
-    static const std::array<QGauss<2>, 2> rules{{QGauss<2>(2), QGauss<2>(3)}};
-    const QGauss<2>                      &quadrature = rules[degree - 1];
-    std::vector<double>                   shares(n_nodes_per_facet());
-    for (unsigned int q = 0; q < quadrature.size(); ++q)
+    const FacetKind<3> &kind = *facets[facet].kind;
+    std::vector<double> shares(kind.n_nodes);
+    for (unsigned int q = 0; q < kind.rule_places.size(); ++q)
       {
-        const Point<2>      xi(2 * quadrature.point(q)[0] - 1,
-                          2 * quadrature.point(q)[1] - 1);
-        const FacetShape<3> shape(degree, xi);
+        const FacetShape<3> shape(kind, kind.rule_places[q]);
+        const auto          tests    = kind.tests(shape.value);
         const double        jacobian = reference_jacobian(facets[facet], shape);
         for (unsigned int a = 0; a < shares.size(); ++a)
-          shares[a] += 4 * quadrature.weight(q) * shape.value[a] * jacobian;
+          shares[a] += kind.rule_weights[q] * tests[a] * jacobian;
       }
     return shares;
   }

@@ -61,7 +61,7 @@ namespace Contact
     FacetNormals<3>   normals = now.facet_normals();
     const double      smooth  = Surface<3>::sine_of_smooth_slant();
     for (unsigned int e = 0; e < surface.facets.size() && !planes.empty(); ++e)
-      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < surface.facets[e].n_nodes(); ++a)
         for (const Plane &plane : planes)
           {
             Tensor<1, 3> &normal = normals[e][a];
@@ -84,8 +84,8 @@ namespace Contact
                                    const unsigned int     side) const
   {
     return std::any_of(planes.begin(), planes.end(), [&](const Plane &plane) {
-      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-        if (is_on_side<3>(a, side) &&
+      for (unsigned int a = 0; a < facet.n_nodes(); ++a)
+        if (facet.kind->has_on_side(a, side) &&
             !is_on(plane, surface.nodes[facet.nodes[a]]))
           return false;
       return true;
@@ -102,14 +102,15 @@ namespace Contact
     std::vector<double>       bends(surface.nodes.size(), 0.);
     std::vector<Tensor<1, 3>> mean(surface.nodes.size());
     for (unsigned int e = 0; e < surface.facets.size(); ++e)
-      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < surface.facets[e].n_nodes(); ++a)
         mean[surface.facets[e].nodes[a]] += means[e][a];
     for (unsigned int e = 0; e < surface.facets.size(); ++e)
-      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < surface.facets[e].n_nodes(); ++a)
         {
           const unsigned int node = surface.facets[e].nodes[a];
-          const Tensor<1, 3> own  = drawn.normal(e, node_place<3>(a));
-          bends[node]             = std::max(bends[node],
+          const Tensor<1, 3> own =
+            drawn.normal(e, surface.facets[e].kind->places[a]);
+          bends[node] = std::max(bends[node],
                                  (own - mean[node] / mean[node].norm()).norm());
         }
 
@@ -120,10 +121,10 @@ namespace Contact
     // half of it from either side to the mean.
     const double half_of_right_angle = 2 * std::sin(numbers::PI / 8);
     for (const SurfaceFacet<3> &facet : surface.facets)
-      for (unsigned int s = 0; s < 4; ++s)
+      for (unsigned int s = 0; s < facet.n_sides(); ++s)
         if (facet.ends_surface(s) && !is_in_plane(surface, facet, s))
-          for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
-            if (is_on_side<3>(a, s))
+          for (unsigned int a = 0; a < facet.n_nodes(); ++a)
+            if (facet.kind->has_on_side(a, s))
               bends[facet.nodes[a]] =
                 std::max(bends[facet.nodes[a]], half_of_right_angle);
     return bends;

@@ -34,10 +34,10 @@ namespace Contact
   void InterfaceCouplings<dim>::collect_neighbors(const Surface<dim> &surface)
   {
     for (const SurfaceFacet<dim> &edge : surface.facets)
-      for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+      for (unsigned int a = 0; a < edge.n_nodes(); ++a)
         {
           Dofs &around = neighbors[surface.nodes[edge.nodes[a]].dofs[0]];
-          for (unsigned int b = 0; b < surface.n_nodes_per_facet(); ++b)
+          for (unsigned int b = 0; b < edge.n_nodes(); ++b)
             {
               const NodeDoFs<dim> &node = surface.nodes[edge.nodes[b]].dofs;
               around.insert(around.end(), node.begin(), node.end());
@@ -197,8 +197,7 @@ namespace Contact
         {
           std::set<types::global_dof_index> coupled;
           bool                              is_own = false;
-          for (unsigned int a = 0; a < contact_pair->slave.n_nodes_per_facet();
-               ++a)
+          for (unsigned int a = 0; a < facet.n_nodes(); ++a)
             for (const auto dof :
                  contact_pair->slave.nodes[facet.nodes[a]].dofs)
               {

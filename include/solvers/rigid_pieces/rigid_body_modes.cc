@@ -121,7 +121,7 @@ namespace Contact
     {
       const auto of_surface = [&](const Surface<dim> &surface) {
         for (const SurfaceFacet<dim> &facet : surface.facets)
-          for (unsigned int a = 0; a < surface.n_nodes_per_facet(); ++a)
+          for (unsigned int a = 0; a < facet.n_nodes(); ++a)
             visit(facet, surface.nodes[facet.nodes[a]]);
       };
       for (const auto &contact_pair : interface.pairs)
@@ -184,7 +184,7 @@ namespace Contact
               masters.insert(facet.piece);
           const Surface<dim> &slave = contact_pair->slave;
           for (const SurfaceFacet<dim> &facet : slave.facets)
-            for (unsigned int a = 0; a < slave.n_nodes_per_facet(); ++a)
+            for (unsigned int a = 0; a < facet.n_nodes(); ++a)
               for (unsigned int c = 0; c < dim; ++c)
                 {
                   const Point<dim> &X = slave.nodes[facet.nodes[a]].X;
