@@ -115,8 +115,9 @@ check("loads are balanced", status == 0 and all(
     {"base": load + weight, "slave": load, "master": -load}.items()),
     f"{values}")
 
-for case, kept in (("nested_large", True), ("nested_friction", False)):
-    settings = () if kept else ("Solution/Friction=fixed point",)
+for case, kept in (("nested_large", True), ("nested_friction", True),
+                   ("nested_tied", False)):
+    settings = ("Solution/Increments=1",)
     status, said, summary = run(case, 0, "Probes/Errors=true", *settings)
     _, quiet, without = run(case, 0, *settings)
     check(f"{case}, one mesh: runs", status == 0, said)

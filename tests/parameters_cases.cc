@@ -104,7 +104,8 @@ const std::string modeling_a = R"json({
   "Probes": {
     "Probes": {"DY(B)": ["displacement y", "B"], "SIYY(B)": "stress yy, B"},
     "References": {"DY(B)": -1.3069040401077, "SIYY(B)": -3800.4949548283},
-    "Tolerances": {"DY(B)": 0.001, "SIYY(B)": 0.001}
+    "Tolerances": {"DY(B)": 0.001, "SIYY(B)": 0.001},
+    "Errors": false
   },
   "Output": {"VTU": true, "Profile": true}
 })json";

@@ -56,6 +56,7 @@ SHORT = {
         'mpirun -np 2 build/contact parameters/nested_friction.prm ' + COARSE,
     "./run parameters/ssnp154_[a-h].prm --quiet":
         "./run parameters/ssnp154_[ah].prm --quiet",
+    "./run price CASE.prm": "./run price parameters/nested.prm --seconds 1",
     "./run benchmark": "MODELINGS=a REPETITIONS=1 ./run benchmark",
     "./run effects": "./run effects tied --repetitions 1",
     "./run estimates": "./run estimates verification/hertz",

@@ -3,7 +3,7 @@
 """What a run says of its scene beside the values.
 
 Proves that a body that friction alone holds is named, and with the fixed point
-over Tresca's friction as well, and one that a support holds is not; that units
+over Tresca's friction as well, and one that a support or glue holds is not; that units
 that do not fit together are a remark, with a result and without one; that where
 two attempts end on their way the results of the first one are kept, and the
 summary tells of both; that --restart of a run that has converged is an error that
@@ -57,6 +57,12 @@ case = pathlib.Path("held.prm")
 status, said, summary = solve(
     case, "Boundary conditions/Displacement x=Base: 0, Side: 0")
 check("a support holds it", status == 0 and texts(summary) == [], said)
+status, said, summary = solve(case, "Contact/Tied=true",
+                              "Contact/Friction coefficient=0",
+                              "Solution/Estimate effects=true")
+check("glue holds it, and its effects have an estimate",
+      status == 0 and texts(summary) == [] and
+      len(summary.get("estimated_effects", [])) > 0, (said, list(summary)))
 
 before = pathlib.Path("output/held/summary.json").read_text()
 again = subprocess.run([contact, case, "--restart"], capture_output=True, text=True)

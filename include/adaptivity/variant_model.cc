@@ -88,7 +88,7 @@ namespace Contact
     if (model.interface)
       {
         begin_increment();
-        if (has_elements_of(scene))
+        if (has_elements_of(scene) && has_points_of(*scene.interface))
           take_surfaces(*scene.interface, from.solution);
         else
           transfer_surfaces(*scene.interface, from.solution);
@@ -176,6 +176,19 @@ namespace Contact
                (!now->law.is_frictionless() && known->law.is_frictionless())))
             return true;
     return false;
+  }
+
+
+
+  // A tie has no points at ends and corners, which contact has there.
+  bool VariantModel::has_points_of(const ContactInterface<2> &from) const
+  {
+    for (const auto &of_pair : model.interface->pairs)
+      for (const auto &known : from.pairs)
+        if (known->name == of_pair->name &&
+            known->n_points != of_pair->n_points)
+          return false;
+    return true;
   }
 
 

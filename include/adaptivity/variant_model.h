@@ -53,6 +53,7 @@ namespace Contact
   private:
     bool has_new_shear(const ContactModel<2> &scene) const;
     bool has_elements_of(const ContactModel<2> &scene) const;
+    bool has_points_of(const ContactInterface<2> &from) const;
     void take_displacements(const ContactModel<2> &scene,
                             const GhostedVector   &of_scene,
                             GhostedVector         &here) const;

@@ -115,8 +115,8 @@ namespace Contact
     /// By node, the vertices that it is in the middle of; of a vertex itself.
     std::vector<std::vector<unsigned int>> vertices_of_node;
 
-    /// The pairs of vertices whose shortest distance by @ref size_divisor is
-    /// the size of a facet.
+    /// The pairs of vertices whose shortest distance by size_divisor is the
+    /// size of a facet.
     std::vector<std::array<unsigned int, 2>> size_lines;
     double                                   size_divisor = 1;
 

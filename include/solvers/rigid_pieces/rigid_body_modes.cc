@@ -146,7 +146,7 @@ namespace Contact
       });
       const bool only_glue = tangents == Tangents::glued;
       const auto sticks    = [&](const ContactPoint<dim> &point) {
-        return only_glue ||
+        return only_glue || interface.contact_pair(point).tied ||
                (tangents == Tangents::by_status
                      ? point.status.kind == Status::stick
                      : tangents == Tangents::stuck &&

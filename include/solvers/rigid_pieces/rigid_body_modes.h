@@ -49,9 +49,9 @@ namespace Contact
 
 
 
-  /// The points in contact that resist motions along their tangents: none;
-  /// those that stick; all of them; or those of glue, which then are the only
-  /// ones that resist any motion.
+  /// The points in contact that resist motions along their tangents, besides
+  /// those of glue: none; those that stick; all of them; or no others, and then
+  /// those of glue are the only ones that resist any motion.
   enum class Tangents
   {
     free,
