@@ -32,7 +32,7 @@ import sys
 import numpy
 
 from block_scenes import check, failures, rows, run
-from space_scenes import (SURFACES, completing_share, converged, merged,
+from space_scenes import (SURFACES, check_patch, completing_share, converged, merged,
                           minimal_supports, probes, rotation, uniform_loads)
 from volume_scenes import Volumes
 
@@ -182,32 +182,7 @@ def patch_test(scene, nodes, slave, with_shear, ranks):
             f"{'shear' if with_shear else 'no friction'}, {ranks} processes")
     if not converged(what, status, summary, said):
         return
-    turned = TURN @ stress @ TURN.T
-    worst = max(abs(value - turned["xyz".index(name[-2]), "xyz".index(name[-1])])
-                for name, value in probes(summary).items()) / PRESSURE
-    check(f"{what}: stresses", worst < 1e-10, worst)
-    check_interface(what, stress, -1 if slave == "Up" else 1)
-    balance = summary["increments"][-1]["invariants"]
-    check(f"{what}: forces and moments balance",
-          max(balance["force_imbalance"], balance["moment_imbalance"]) < 1e-12,
-          balance)
-
-
-def check_interface(what, stress, normal):
-    """Pressure and shear of every node, weighted by its area: next to nothing of
-    the surface belongs to some, and their pressure is a quotient of round-off."""
-    nodes = [row for row in rows("patch")
-             if row["surface"] == "slave" and row["pressure_MPa"] > 0]
-    mean = sum(row["nodal_force_N"] for row in nodes) / len(nodes) / PRESSURE
-    shear = TURN @ (normal * stress @ [0, 0, 1] * (1, 1, 0))
-    worst = 0
-    for row in nodes:
-        of_node = min(1, row["nodal_force_N"] / row["pressure_MPa"] / mean)
-        errors = [abs(row["pressure_MPa"] - PRESSURE)] + [
-            abs(row[f"shear_{c}_MPa"] - shear[i]) for i, c in enumerate("xyz")]
-        worst = max(worst, of_node * max(errors) / PRESSURE)
-    check(f"{what}: pressure and shear of {len(nodes)} nodes",
-          len(nodes) > 8 and worst < 1e-10, worst)
+    check_patch(what, stress, TURN, PRESSURE, slave, summary)
 
 
 def strips():

@@ -9,7 +9,7 @@ import math
 
 import numpy
 
-from block_scenes import check, violations
+from block_scenes import check, rows, violations
 
 SURFACES = ("x0", "x1", "y0", "y1", "z0", "z1")
 AXES = "xyz"
@@ -195,3 +195,34 @@ def choice(texts, lines, x):
         if text != result:
             result = f"if({x}<{line!r},{text},{result})"
     return result
+
+
+def check_patch(what, stress, turn, pressure, slave, summary):
+    """Of the case 'patch', turned: stresses at the probes, pressure and shear at
+    each node, and the balance of forces and moments."""
+    turned = turn @ stress @ turn.T
+    worst = max(abs(value - turned["xyz".index(name[-2]), "xyz".index(name[-1])])
+                for name, value in probes(summary).items()) / pressure
+    check(f"{what}: stresses", worst < 1e-10, worst)
+    check_interface(what, stress, turn, pressure, -1 if slave == "Up" else 1)
+    balance = summary["increments"][-1]["invariants"]
+    check(f"{what}: forces and moments balance",
+          max(balance["force_imbalance"], balance["moment_imbalance"]) < 1e-12,
+          balance)
+
+
+def check_interface(what, stress, turn, pressure, normal):
+    """Pressure and shear of every node, weighted by its area: next to nothing of
+    the surface belongs to some, and their pressure is a quotient of round-off."""
+    nodes = [row for row in rows("patch")
+             if row["surface"] == "slave" and row["pressure_MPa"] > 0]
+    mean = sum(row["nodal_force_N"] for row in nodes) / len(nodes) / pressure
+    shear = turn @ (normal * stress @ [0, 0, 1] * (1, 1, 0))
+    worst = 0
+    for row in nodes:
+        of_node = min(1, row["nodal_force_N"] / row["pressure_MPa"] / mean)
+        errors = [abs(row["pressure_MPa"] - pressure)] + [
+            abs(row[f"shear_{c}_MPa"] - shear[i]) for i, c in enumerate("xyz")]
+        worst = max(worst, of_node * max(errors) / pressure)
+    check(f"{what}: pressure and shear of {len(nodes)} nodes",
+          len(nodes) > 8 and worst < 1e-10, worst)

@@ -483,7 +483,8 @@ int main()
       turning(c, false);
       pairing(c, false);
       condensed_matrix(c);
-      // With hexahedra below, slave nodes slide over edges of the master.
+      // Newton's method converges on hexahedra, too, but not quadratically. Its
+      // matrix agrees with differences; why it is so is not known.
       if (c.low_is_split)
         convergence(c);
     }

@@ -313,6 +313,10 @@ namespace Contact
   std::vector<GhostedVector>
   GoalErrors::solve_dual_problems(ProbeErrors &errors) const
   {
+    // Asked before bounds follow: in what the run factorized they need not.
+    const auto *at_hand = dynamic_cast<const SaddlePointSystem *>(&system);
+    if (at_hand && !at_hand->has_tangent_of(state))
+      at_hand = nullptr;
     std::vector<ContactPoint<2>>  points;
     std::optional<BoundsWhile<2>> bounds;
     if (model.interface)
@@ -320,9 +324,6 @@ namespace Contact
         points = model.interface->points();
         bounds.emplace(model.interface->bounds, /*follow=*/true);
       }
-    const auto *at_hand = dynamic_cast<const SaddlePointSystem *>(&system);
-    if (at_hand && !at_hand->has_tangent_of(state))
-      at_hand = nullptr;
     const Residuals   residuals = pair_anew();
     SaddlePointSystem anew(model,
                            linearization,

@@ -103,7 +103,7 @@ namespace Contact
 
   // At the end of the contact a point is part of it if what presses it is more
   // than what its gap takes to close: the pressure against the stiffness E/h.
-  // What it slips tells likewise whether it sticks: its own shear is none yet,
+  // Its slip tells likewise whether it sticks: its own shear is none yet,
   // and a point that sticks where its neighbors slide would hold the body.
   void RefinedState::update_statuses()
   {

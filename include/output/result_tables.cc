@@ -120,16 +120,17 @@ namespace Contact
 
 
 
-    /// What estimates the error of a probe, or why nothing does.
+    /// The estimator of the error of a probe, or why there is none.
     std::string kind_of_error(const ProbeResult &probe)
     {
       if (!probe.error)
         return probe.not_estimated.empty()
                  ? ""
                  : "not estimated: " + probe.not_estimated;
-      if (probe.estimator == "dual weighted residuals" &&
-          !probe.error_is_confirmed && !probe.error_may_be_larger)
-        return "twice the estimate by dual weighted residuals on this mesh alone";
+      // No mesh before says anything for it or against it.
+      if (!probe.error_is_confirmed && !probe.error_may_be_larger)
+        return "twice the estimate by " + probe.estimator +
+               " on this mesh alone";
       return probe.estimator +
              (probe.error_may_be_larger ? "; >: it may be larger" : "");
     }

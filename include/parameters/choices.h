@@ -73,6 +73,23 @@ namespace Contact
 
 
 
+    /// The polynomial degree of the displacements; automatic: the mesh tells.
+    enum class Degree
+    {
+      automatic,
+      one,
+      two
+    };
+
+    inline NamedValues<Degree> named_values(const Degree)
+    {
+      return {{"automatic", Degree::automatic},
+              {"1", Degree::one},
+              {"2", Degree::two}};
+    }
+
+
+
     /// The ninth node of a quadratic quadrangle.
     enum class CentreNode
     {

@@ -91,13 +91,14 @@ namespace Contact
       prm.enter_subsection("Element");
       prm.declare_entry("Degree",
                         "automatic",
-                        Patterns::Selection("automatic|1|2"),
+                        Patterns::Selection(Choice<Degree>::names()),
                         "Polynomial degree of the displacements [-]; "
                         "automatic: 2 of a mesh with tetrahedra, which are "
                         "too stiff at degree 1, 1 of all others.");
       prm.add_action("Degree", [this](const std::string &value) {
-        degree_is_automatic = value == "automatic";
-        degree              = value == "2" ? 2 : 1;
+        const Choice<Degree> choice(value);
+        degree_is_automatic = choice == Degree::automatic;
+        degree              = choice == Degree::two ? 2 : 1;
       });
       prm.add_parameter(
         "Centre node",

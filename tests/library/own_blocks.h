@@ -15,7 +15,7 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/numerics/vector_tools.h>
 
-// What a program has already, without contact: the mesh of two blocks, their
+// The parts of a program without contact: the mesh of two blocks, their
 // unknowns and supports, and an elasticity (small strain).
 
 using namespace dealii;

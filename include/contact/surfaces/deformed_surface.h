@@ -188,7 +188,7 @@ namespace Contact
                     const Accept     &accept,
                     Projection<dim>  &found) const;
 
-    /// How far a facet goes, with the overhang at an end of a face.
+    /// The extent of a facet, with the overhang at an end of a face.
     typename FacetKind<dim>::Limits limits(const unsigned int facet) const;
 
     FacetNodes<dim> facet_positions(const unsigned int facet) const;
