@@ -30,14 +30,13 @@ sys.dont_write_bytecode = True
 # Of the folder of this file.
 import abaqus  # noqa: E402
 import roundness  # noqa: E402
-from named_mesh import (OTHER_VOLUMES, TYPES, BadMesh, Element,  # noqa: E402
-                        Mesh, msh_text)
+from named_mesh import TYPES, BadMesh, Element, Mesh, msh_text  # noqa: E402
 
 # MED's name -> meshio's.
 MED_TYPES = {"PO1": "vertex", "SE2": "line", "SE3": "line3", "TR3": "triangle",
              "TR6": "triangle6", "TR7": "triangle7", "QU4": "quad",
-             "QU8": "quad8", "QU9": "quad9", "HE8": "hexahedron",
-             "H20": "hexahedron20", "H27": "hexahedron27"}
+             "QU8": "quad8", "QU9": "quad9", "TE4": "tetra", "T10": "tetra10",
+             "HE8": "hexahedron", "H20": "hexahedron20", "H27": "hexahedron27"}
 # The centres of the faces of a hexahedron in VTK's order, by their place in
 # MED's.
 MED_ORDER = {"hexahedron27": [*range(20), 24, 22, 21, 23, 20, 25, 26]}
@@ -202,7 +201,7 @@ def check(mesh: Mesh, path: Path, bodies: list[str]) -> None:
     if not cells:
         raise BadMesh("the mesh has no faces", str(path),
                       "mesh surfaces with triangles or quadrangles, or volumes "
-                      "with hexahedra")
+                      "with tetrahedra or hexahedra")
     known = sorted({name for element in cells for name in element.groups})
     there = f"groups of {cell_plural}: " + (", ".join(known) or "none")
     for name in bodies:
@@ -220,9 +219,10 @@ def check(mesh: Mesh, path: Path, bodies: list[str]) -> None:
                           f"with --bodies NAME,NAME; {there}")
     if mesh.dimension == 2:
         check_plane(mesh, path)
+    shapes = {e.kind.rstrip("0123456789") for e in mesh.of_dimension(3)}
     for face in mesh.of_dimension(2) if mesh.dimension == 3 else ():
         if face.groups and face.kind.startswith("triangle") \
-                and "tetra" in OTHER_VOLUMES:
+                and "tetra" not in shapes:
             raise BadMesh(f"the group '{min(face.groups)}' has triangles, which "
                           "are no faces of hexahedra", str(path),
                           "mesh the surfaces of volumes with quadrangles")

@@ -23,8 +23,7 @@ GMSH_ORDER["hexahedron27"] = GMSH_ORDER["hexahedron20"] + [24, 22, 20, 21, 23,
                                                            25, 26]
 
 # Names of volumes that contact does not take, of meshio's and of MED.
-OTHER_VOLUMES = ("tetra", "wedge", "pyramid", "TE4", "T10", "PE6", "P15", "P18",
-                 "PY5", "P13")
+OTHER_VOLUMES = ("wedge", "pyramid", "PE6", "P15", "P18", "PY5", "P13")
 
 
 class BadMesh(Exception):
@@ -68,15 +67,15 @@ class Mesh:
     def add(self, kind: str, nodes, groups, where) -> None:
         """A block of equal elements with the groups of each."""
         if kind.startswith(OTHER_VOLUMES):
-            raise BadMesh("the mesh has tetrahedra, prisms or pyramids (elements "
-                          f"of type {kind})", str(where),
-                          "mesh volumes with hexahedra of 8, 20 or 27 nodes, by "
-                          "extrusion or mapping of quadrangles")
+            raise BadMesh("the mesh has prisms or pyramids (elements of type "
+                          f"{kind})", str(where),
+                          "mesh volumes with tetrahedra of 4 or 10 nodes, or with "
+                          "hexahedra of 8, 20 or 27")
         if kind not in TYPES:
             raise BadMesh(f"the mesh has elements of type {kind}", str(where),
                           "mesh a plane surface with lines, triangles and "
-                          "quadrangles, or volumes with hexahedra, of first or "
-                          "second order")
+                          "quadrangles, or volumes with tetrahedra or hexahedra, "
+                          "of first or second order")
         self.elements += [
             Element(kind, [int(n) for n in numbers[:TYPES[kind][2]]], set(names))
             for numbers, names in zip(nodes, groups)]

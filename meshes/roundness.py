@@ -209,13 +209,20 @@ def round_surface(points, centres, normals) -> str | None:
     return f"Mesh/Cones = NAME: {text(*apex, *(numpy.sign(slope) * axis), angle)}"
 
 
-# Corners of the faces of a hexahedron in order, and the nodes behind the corners
-# on its edges, as meshio (VTK) numbers them.
-FACES = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6),
-         (3, 0, 4, 7))
-MIDDLES = {frozenset(ends): 8 + i for i, ends in enumerate(
-    [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4),
-     (0, 4), (1, 5), (2, 6), (3, 7)])}
+# Corners of the faces of a volume in order, and the nodes behind the corners on
+# its edges, as meshio (VTK) numbers them.
+FACES = {"hexahedron": ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5),
+                        (2, 3, 7, 6), (3, 0, 4, 7)),
+         "tetra": ((0, 1, 2), (0, 1, 3), (1, 2, 3), (2, 0, 3))}
+MIDDLES = {shape: {frozenset(ends): n + i for i, ends in enumerate(edges)}
+           for shape, n, edges in (
+               ("hexahedron", 8, [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6),
+                                  (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)]),
+               ("tetra", 4, [(0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)]))}
+
+
+def corners_of(face) -> list[int]:
+    return face.nodes[:3 if face.kind.startswith("triangle") else 4]
 
 
 def boundary_sides(mesh: Mesh) -> dict[frozenset[int], tuple]:
@@ -223,17 +230,18 @@ def boundary_sides(mesh: Mesh) -> dict[frozenset[int], tuple]:
     node and the corners of these faces."""
     faces = {}
     for cell in mesh.of_dimension(3):
-        for face in FACES if len(cell.nodes) >= 20 else ():
+        shape = cell.kind.rstrip("0123456789")
+        for face in FACES[shape] if shape != cell.kind else ():
             corners = frozenset(cell.nodes[i] for i in face)
-            faces.setdefault(corners, []).append((cell, face))
+            faces.setdefault(corners, []).append((cell, shape, face))
     sides = {}
     for corners, found in faces.items():
         if len(found) > 1:
             continue
-        cell, face = found[0]
+        cell, shape, face = found[0]
         for a, b in zip(face, face[1:] + face[:1]):
             ends = cell.nodes[a], cell.nodes[b]
-            middle = cell.nodes[MIDDLES[frozenset((a, b))]]
+            middle = cell.nodes[MIDDLES[shape][frozenset((a, b))]]
             sides.setdefault(frozenset(ends), (ends, middle, []))[2].append(
                 corners)
     return sides
@@ -243,18 +251,20 @@ def group_surface(mesh: Mesh, name: str) -> str | None:
     import numpy
     x = numpy.array(mesh.points)
     faces = [f for f in mesh.of_dimension(2) if name in f.groups]
-    corners = x[[f.nodes[:4] for f in faces]]
-    normals = numpy.cross(corners[:, 2] - corners[:, 0],
-                          corners[:, 3] - corners[:, 1])
+    corners = [x[corners_of(f)] for f in faces]
+    # Along the diagonals, or from the last corner.
+    normals = numpy.array([numpy.cross(c[2] - c[0], c[-1] - c[1])
+                           for c in corners])
     normals /= numpy.linalg.norm(normals, axis=1)[:, None]
     nodes = sorted({n for f in faces for n in f.nodes[:8]})
-    return round_surface(x[nodes], corners.mean(axis=1), normals)
+    centres = numpy.array([c.mean(axis=0) for c in corners])
+    return round_surface(x[nodes], centres, normals)
 
 
 def report_round_faces(mesh: Mesh) -> None:
     """As report_round_sides: prints the surfaces of the groups of faces that are
     one, and which sides become straight."""
-    groups = {frozenset(f.nodes[:4]): f.groups for f in mesh.of_dimension(2)}
+    groups = {frozenset(corners_of(f)): f.groups for f in mesh.of_dimension(2)}
     size = max(abs(c) for point in mesh.points for c in point)
     surfaces: dict[str, str | None] = {}
     lost: dict[str, list[Side]] = {}

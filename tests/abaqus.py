@@ -5,9 +5,9 @@
 Proves that
 
 - a deck with two steps and friction (CPE4) gives those of the same case by hand;
-- two discs (CAX8) and distorted hexahedra (C3D20R) under pressure are in a uniform
-  state, and rings whose sides are round (CPE8R, C3D20R) in Lame's: the nodes are
-  where gmsh's order has them;
+- two discs (CAX8), distorted hexahedra (C3D20R) and tetrahedra beside them (C3D4,
+  C3D10M) under pressure are in a uniform state, and rings whose sides are round
+  (CPE8R, C3D20R, C3D10) in Lame's: the nodes are where gmsh's order has them;
 - parts, instances that are moved and turned, and sets by GENERATE give those of the
   same deck without parts;
 - bars that yield (CAX4) and bars of rubber have the forces of their closed forms;
@@ -23,12 +23,14 @@ import math
 import pathlib
 import sys
 
-from abaqus_scenes import Box, check, compare, convert, elastic, values
+from abaqus_scenes import Box, Tetrahedra, check, compare, convert, elastic, values
 from block_scenes import Mesh, box, failures, run
 
-# The edges of gmsh's hexahedron of 20 nodes, behind the corners.
-GMSH_EDGES = ((0, 1), (0, 3), (0, 4), (1, 2), (1, 5), (2, 3), (2, 6), (3, 7),
-              (4, 5), (4, 7), (5, 6), (6, 7))
+# The edges of gmsh's hexahedron of 20 and tetrahedron of 10 nodes, behind the
+# corners.
+GMSH_EDGES = {"17": ((0, 1), (0, 3), (0, 4), (1, 2), (1, 5), (2, 3), (2, 6), (3, 7),
+                     (4, 5), (4, 7), (5, 6), (6, 7)),
+              "11": ((0, 1), (1, 2), (2, 0), (3, 0), (3, 2), (3, 1))}
 
 
 PRESS_AND_DRAG = """*SURFACE INTERACTION, NAME=Rough
@@ -110,14 +112,26 @@ Up_{0}1_face, P, 30.
         return chart
 
     sides = "Low_x0, XSYMM\nUp_x0, XSYMM\nLow_y0, YSYMM\nUp_y0, YSYMM\n"
-    deck = (straight(Box("Low", "C3D20R", (2, 2, 2), brick(0, 4))).text()
-            + straight(Box("Up", "C3D20R", (3, 2, 2), brick(4, 9), 5000)).text()
-            + elastic("Low", "Up") + end.format("z", "Z", sides))
-    compare("C3D20R, distorted", values(
-        "bricks", deck, "u: displacement z, Tip; p: pressure, Foot; "
-        "s: stress zz, Tip", "Mesh/Points=Tip: 6, 6, 9; Foot in Up: 4, 3, 4"),
-        {"u": -30 * 9 / 1000, "p": 30, "s": -30}, 1e-9)
-    check("C3D20R: gmsh's order", middles_are_right("bricks.msh"))
+    for low, up, kinds in (
+            (Box("Low", "C3D20R", (2, 2, 2), brick(0, 4)),
+             Box("Up", "C3D20R", (3, 2, 2), brick(4, 9), 5000), "17"),
+            (Box("Low", "C3D20R", (2, 2, 2), brick(0, 4)),
+             Tetrahedra("Up", "C3D10M", (3, 2, 2), brick(4, 9), 5000), "17 11"),
+            (Tetrahedra("Low", "C3D4", (2, 2, 2), brick(0, 4)),
+             Box("Up", "C3D8", (3, 2, 2), brick(4, 9), 5000), "4 5")):
+        deck = (straight(low).text() + straight(up).text()
+                + elastic("Low", "Up") + end.format("z", "Z", sides))
+        what = f"{up.code} on {low.code}"
+        found, said = values(
+            "bricks", deck, "u: displacement z, Tip; p: pressure, Foot; "
+            "s: stress zz, Tip", "Mesh/Points=Tip: 6, 6, 9; Foot in Up: 4, 3, 4")
+        compare(f"{what}, distorted", (found, said),
+                {"u": -30 * 9 / 1000, "p": 30, "s": -30}, 1e-9)
+        check(f"{what}: gmsh's order",
+              all(middles_are_right("bricks.msh", k) for k in kinds.split()))
+        check(f"{what}: what is modified is told",
+              ("C3D10M: modified formulation" in said) == (up.code == "C3D10M"),
+              said)
 
 
 def straight(bricks):
@@ -125,22 +139,25 @@ def straight(bricks):
     for i in bricks.places:
         odd = [d for d in range(3) if i[d] % 2]
         if odd:
-            ends = [tuple(c + s * (d == odd[0]) for d, c in enumerate(i))
+            ends = [tuple(c + s * (d in odd) for d, c in enumerate(i))
                     for s in (-1, 1)]
             bricks.places[i] = tuple(
                 sum(c) / 2 for c in zip(*(bricks.places[e] for e in ends)))
     return bricks
 
 
-def middles_are_right(name):
+def middles_are_right(name, kind):
+    """Of the cells of gmsh's kind, which there are."""
+    edges = GMSH_EDGES.get(kind, ())
+    n_corners = {"4": 4, "11": 4}.get(kind, 8)
     lines = pathlib.Path(name).read_text().split("$Nodes\n")[1].splitlines()
     points = {row[0]: [float(x) for x in row[1:]]
               for row in (line.split() for line in lines[1:int(lines[0]) + 1])}
-    cells = [line.split()[5:] for line in lines if line.split()[1:2] == ["17"]]
+    cells = [line.split()[5:] for line in lines if line.split()[1:2] == [kind]]
     return cells and all(
-        math.dist(points[cell[8 + k]], [(a + b) / 2 for a, b in zip(
+        math.dist(points[cell[n_corners + k]], [(a + b) / 2 for a, b in zip(
             points[cell[i]], points[cell[j]])]) < 1e-12
-        for cell in cells for k, (i, j) in enumerate(GMSH_EDGES))
+        for cell in cells for k, (i, j) in enumerate(edges))
 
 
 def rings():
@@ -154,8 +171,10 @@ def rings():
         place = (r * math.cos(angle), r * math.sin(angle))
         return place if z is None else (*place, 2 * z)
 
-    for code, n in (("CPE8R", (4, 5)), ("C3D20R", (4, 5, 1))):
-        deck = (Box("Tube", code, n, chart).text() + elastic("Tube") + """*STEP
+    for code, n in (("CPE8R", (4, 5)), ("C3D20R", (4, 5, 1)),
+                    ("C3D10", (6, 8, 1))):
+        kind = Tetrahedra if code == "C3D10" else Box
+        deck = (kind("Tube", code, n, chart).text() + elastic("Tube") + """*STEP
 *STATIC
 *BOUNDARY
 Tube_y0, YSYMM

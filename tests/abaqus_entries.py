@@ -231,8 +231,8 @@ def refuse(what, name, deck, options, error, where, remedy, files=()):
     check(what + ": no file", found == sorted([f"{name}.inp", *files]), found)
 
 
-TYPES = ("mesh with CPE, CAX or CPS of 3, 4, 6 or 8 nodes or with C3D8 or C3D20, "
-         "and delete elements that are no volumes or areas")
+TYPES = ("mesh with CPE, CAX or CPS of 3, 4, 6 or 8 nodes or with C3D4, C3D8, "
+         "C3D10 or C3D20, and delete elements that are no volumes or areas")
 # What is wrong, what of the plate is replaced (or else appended), by what; error,
 # place and remedy.
 FAULTS = (
@@ -240,10 +240,11 @@ FAULTS = (
      "6, *ELEMENT", TYPES),
     ("a coupled element", "CPE4", "CPE4T",
      "elements of type CPE4T are not read", "6, *ELEMENT", TYPES),
-    ("tetrahedra", "CPE4", "C3D4",
-     "the mesh has tetrahedra, prisms or pyramids (elements of type tetra)",
-     "7, *ELEMENT, TYPE=C3D4", "mesh volumes with hexahedra of 8, 20 or 27 "
-     "nodes, by extrusion or mapping of quadrangles"),
+    ("prisms", "CPE4, ELSET=Plate\n1, 1, 2, 3, 4",
+     "C3D6, ELSET=Plate\n1, 1, 2, 3, 4, 1, 2",
+     "the mesh has prisms or pyramids (elements of type wedge)",
+     "7, *ELEMENT, TYPE=C3D6", "mesh volumes with tetrahedra of 4 or 10 nodes, or "
+     "with hexahedra of 8, 20 or 27"),
     ("a node that is missing", "1, 2, 3, 4", "1, 2, 3, 17",
      "element 1 has the node 17, which does not exist", "7, *ELEMENT",
      "the deck has 4 nodes, 1 to 4; correct the number"),

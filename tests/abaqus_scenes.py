@@ -23,6 +23,8 @@ BRICK = ((0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0),
 QUAD_FACES = {"y0": "S1", "x1": "S2", "y1": "S3", "x0": "S4"}
 BRICK_FACES = {"z0": "S1", "z1": "S2", "y0": "S3", "x1": "S4", "y1": "S5",
                "x0": "S6"}
+EDGES = ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))
+TETRAHEDRON_FACES = ((0, 1, 2), (0, 1, 3), (1, 2, 3), (2, 0, 3))
 
 
 def check(what, ok, detail=""):
@@ -64,18 +66,54 @@ class Box:
             lines += [", ".join(map(str, numbers[:12])) + ","
                       * (len(numbers) > 12)]
             lines += [", ".join(map(str, numbers[12:]))] * (len(numbers) > 12)
-        for side, face in self.faces.items():
-            d = "xyz".index(side[0])
-            last = 2 * self.n[d] - 2 if side[1] == "1" else 0
+        for side in self.faces:
             lines += [f"*NSET, NSET={self.name}_{side}"]
             lines += [f"{self.label[i]}" for i in self.label
                       if self.is_on(i, side)]
-            lines += [f"*ELSET, ELSET={self.name}_{side}_cells"]
-            lines += [f"{label}" for cell, (label, _) in self.cells.items()
-                      if cell[d] == last]
-            lines += [f"*SURFACE, NAME={self.name}_{side}_face",
-                      f"{self.name}_{side}_cells, {face}"]
+            lines += self.surface(side)
         return "\n".join([*lines, ""])
+
+    def surface(self, side):
+        d = "xyz".index(side[0])
+        last = 2 * self.n[d] - 2 if side[1] == "1" else 0
+        return [f"*ELSET, ELSET={self.name}_{side}_cells",
+                *(f"{label}" for cell, (label, _) in self.cells.items()
+                  if cell[d] == last),
+                f"*SURFACE, NAME={self.name}_{side}_face",
+                f"{self.name}_{side}_cells, {self.faces[side]}"]
+
+
+class Tetrahedra(Box):
+    """Six tetrahedra for each cell, of 4 or 10 nodes."""
+
+    def __init__(self, name, code, n, chart, first=1):
+        self.name, self.n, self.code, self.faces = name, n, code, BRICK_FACES
+        self.places, self.label, self.cells = {}, {}, {}
+        pairs = EDGES if code.startswith("C3D10") else ()
+        for cell in itertools.product(*(range(0, 2 * m, 2) for m in n)):
+            for order in itertools.permutations(range(3)):
+                path = [cell]
+                for d in order:
+                    path.append(tuple(c + 2 * (k == d)
+                                      for k, c in enumerate(path[-1])))
+                if order not in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+                    path[2:] = path[:1:-1]
+                path += [tuple((a + b) // 2 for a, b in zip(path[i], path[j]))
+                         for i, j in pairs]
+                for i in path:
+                    if i not in self.label:
+                        self.label[i] = first + len(self.label)
+                        self.places[i] = chart(*(c / (2 * m)
+                                                 for c, m in zip(i, n)))
+                self.cells[cell, order] = (first + len(self.cells),
+                                           [self.label[i] for i in path])
+
+    def surface(self, side):
+        on = {label for i, label in self.label.items() if self.is_on(i, side)}
+        return [f"*SURFACE, NAME={self.name}_{side}_face",
+                *(f"{label}, S{k + 1}" for label, nodes in self.cells.values()
+                  for k, face in enumerate(TETRAHEDRON_FACES)
+                  if on.issuperset(nodes[i] for i in face))]
 
 
 def elastic(*bodies, modulus=1000, ratio=0.25):

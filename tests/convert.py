@@ -26,7 +26,7 @@ import sys
 try:
     import h5py
     import meshio
-    from med.medenum import MED_TETRA4, MED_TRIA3
+    from med.medenum import MED_PYRA5, MED_TRIA3
     from med_files import (CENTRED, LINEAR, QUADRATIC, write_med, write_med_2)
 except ImportError as missing:
     print(f"skipped: {missing}; apt-get install python3-meshio python3-h5py "
@@ -278,10 +278,10 @@ def main():
     bare = {"quad": [(nodes, []) for nodes, _ in elements["quad"]]}
     write_med(med, points, bare, {}, LINEAR)
     refuse("no groups", "groups of faces: none", med, msh)
-    solid = {"tetra": [([0, 1, 2, 3], ["Solid"])]}
-    write_med(med, [[0., 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], solid, {},
-              {"tetra": MED_TETRA4})
-    refuse("a mesh of tetrahedra", "TE4", med, msh)
+    solid = {"pyramid": [([0, 1, 2, 3, 4], ["Solid"])]}
+    write_med(med, [[0., 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1]], solid,
+              {}, {"pyramid": MED_PYRA5})
+    refuse("a mesh of pyramids", "PY5", med, msh)
     tilted = {"triangle": [([0, 1, 2], ["Plate"])]}
     write_med(med, [[0., 0, 0], [1, 0, 0], [0, 1, 1]], tilted, {},
               {"triangle": MED_TRIA3})

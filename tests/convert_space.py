@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Meshes of hexahedra from elsewhere.
+"""Meshes of hexahedra and tetrahedra from elsewhere.
 
 Proves that meshes/convert.py keeps what a MED file says of two blocks of
 hexahedra of 8, 20 and 27 nodes, written by the library of that format: names,
@@ -8,7 +8,8 @@ the results of the own mesh file, and nodes where gmsh's order has them (as mesh
 reads them). Volumes are in two groups, a point is a group of one node. Spheres,
 cylinders and cones that groups of faces are get their numbers; those of a
 paraboloid become flat, which it says. An Abaqus file keeps its names; wedges are
-refused.
+refused. Tetrahedra of 10 nodes, numbered in MED's sense, keep their sphere and
+their middles of sides.
 
 Usage: convert_space.py CONTACT
 """
@@ -23,12 +24,15 @@ try:
     import meshio
     import numpy
     from med.medenum import (MED_HEXA8, MED_HEXA20, MED_HEXA27, MED_PENTA6,
-                             MED_QUAD4, MED_QUAD8, MED_QUAD9)
+                             MED_QUAD4, MED_QUAD8, MED_QUAD9, MED_TETRA10,
+                             MED_TRIA6)
     from med_files import write_med
 except ImportError as missing:
     print(f"skipped: {missing}; apt-get install python3-meshio python3-h5py "
           "python3-med")
     sys.exit(0)
+from abaqus import middles_are_right
+from abaqus_scenes import Tetrahedra
 from convert import check, compare, convert, refuse, results
 
 # As MED numbers the nodes of hexahedra, on a lattice of three nodes a side.
@@ -258,9 +262,40 @@ def round_faces(med, msh):
           "which is not one sphere, cylinder or cone" in run.stderr, run.stderr)
 
 
+def tetrahedra(med, msh):
+    """Two of their corners are exchanged, as MED has them, and what is between."""
+    def sphere(r, s, t):
+        a, b, radius = 1.1 * r, 0.8 * s - 0.3, 10 + 5 * t
+        return (5 + radius * math.cos(a) * math.cos(b),
+                radius * math.sin(a) * math.cos(b) - 3, 2 + radius * math.sin(b))
+
+    for what, chart in (("a sphere", sphere),
+                        ("a block", lambda r, s, t: (2 * r, s + r, t))):
+        body = Tetrahedra("Body", "C3D10", (3, 2, 1), chart)
+        number = {label: i for i, label in enumerate(body.label.values())}
+        cells = [[number[n] for n in nodes] for _, nodes in body.cells.values()]
+        on = {number[body.label[i]] for i in body.label if body.is_on(i, "z0")}
+        faces = [[nodes[k] for k in face] for nodes in cells for face in (
+            (0, 1, 2, 4, 5, 6), (1, 2, 3, 5, 9, 8), (0, 1, 3, 4, 8, 7),
+            (2, 0, 3, 6, 7, 9)) if on.issuperset(nodes[k] for k in face)]
+        write_med(med, list(map(list, body.places.values())), {
+            "tetra10": [([c[k] for k in (1, 0, 2, 3, 4, 6, 5, 8, 7, 9)], ["Body"])
+                        for c in cells],
+            "triangle6": [(face, ["Body_z0"]) for face in faces]}, {},
+            {"tetra10": MED_TETRA10, "triangle6": MED_TRIA6})
+        run = convert(med, msh)
+        check(f"tetrahedra of {what}", "bodies: Body (36)" in run.stdout and
+              "boundaries: Body_z0 (12)" in run.stdout, run.stdout + run.stderr)
+        check(f"tetrahedra of {what}: what is round",
+              ("with Mesh/Spheres = Body_z0: 5, -3, 2, 10" in run.stdout) ==
+              (chart == sphere), run.stdout)
+    check("tetrahedra: in gmsh's order", middles_are_right(msh, "11"))
+
+
 def main():
     med, msh = pathlib.Path("space.med"), pathlib.Path("space.msh")
     in_space(pathlib.Path(sys.argv[1]), med, msh)
+    tetrahedra(med, msh)
     wedge = {"wedge": [([0, 1, 2, 3, 4, 5], ["Wedge"])]}
     write_med(med, [[0., 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1],
                     [0, 1, 1]], wedge, {}, {"wedge": MED_PENTA6})

@@ -82,7 +82,7 @@ void test_file_errors()
   read(replaced(msh_22, "3 2 0 0", "3 2 0 0.5"));
 
   // Elements.
-  read(replaced(msh_22, "14 3 2 9 1 1 2 5 4", "14 6 2 9 1 1 2 5 4"));
+  read(replaced(msh_22, "14 3 2 9 1 1 2 5 4", "14 92 2 9 1 1 2 5 4"));
   read(replaced(msh_22, "14 3 2 9 1 1 2 5 4", "14 3 2 9 1 1 5 2 4"));
   read(replaced(msh_22, "15 2 2 9 1 2 6 3", "15 2 2 9 1 1 2 3"));
   read(replaced(msh_22, "14 3 2 9 1 1 2 5 4", "14 3 2 9 1 1 2 3 5"));

@@ -410,7 +410,7 @@ namespace
       change(text);
       Mesh<3> mesh(parameters_for(text));
     };
-    expect_error("a tetrahedron on a hexahedron", "share the node", [&] {
+    expect_error("a tetrahedron on a hexahedron", "meets two triangles", [&] {
       with([](VolumeText &text) { text.add(3, "Body", {1, 2, 3, 5}, 4); });
     });
     expect_error("a triangle on a volume", "no face of a hexahedron", [&] {

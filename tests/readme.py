@@ -56,6 +56,9 @@ SHORT = {
         'mpirun -np 2 build/contact parameters/nested_friction.prm ' + COARSE,
     "./run parameters/ssnp154_[a-h].prm --quiet":
         "./run parameters/ssnp154_[ah].prm --quiet",
+    "./run parameters/examples/lug.prm":
+        './run parameters/examples/lug.prm --set "Mesh/Size=6" '
+        '--set "Mesh/Sizes=Bore: 3, Shank: 3"',
     "./run price CASE.prm": "./run price parameters/nested.prm --seconds 1",
     "./run benchmark": "MODELINGS=a REPETITIONS=1 ./run benchmark",
     "./run effects": "./run effects tied --repetitions 1",
@@ -87,18 +90,14 @@ SHORT = {
         "tests/fuzz/space_scenes.py --only 7 --output $SCRATCH build/contact",
     "tests/fuzz/damaged_space.py --only 7 build/contact":
         "tests/fuzz/damaged_space.py --only 7 --output $SCRATCH build/contact",
+    "tests/fuzz/damaged_tetrahedra.py --only 7 build/contact":
+        "tests/fuzz/damaged_tetrahedra.py --only 7 --output $SCRATCH build/contact",
     "tests/fuzz/damaged.py --only 12 build/contact":
         "tests/fuzz/damaged.py --only 12 --output $SCRATCH build/contact",
     "tests/oracle/oracle.py --kind wedge --seed 7 --count 1 --keep /tmp/x "
     "build/contact":
         "tests/oracle/oracle.py --kind wedge --seed 7 --count 1 --keep $SCRATCH "
         "build/contact",
-    "tests/oracle/oracle.py --jobs 2 --count 200 --kind plastic,plastic_round,"
-    "plastic_beam,rubber,rubber_beam,heated,shrunk,tied,platen,rigid_end,moved,"
-    "driven,bolt build/contact":
-        "tests/oracle/oracle.py --jobs 2 --count 4 --kind plastic,plastic_round,"
-        "plastic_beam,rubber,rubber_beam,heated,shrunk,tied,platen,rigid_end,moved,"
-        "driven,bolt build/contact",
     "cmake --build build": "cmake --build build --target contact",
     "ctest -R NAME": "cd build && ctest -R modeling_h",
 }
@@ -114,9 +113,7 @@ ELSEWHERE = {
     "cmake --build build --target gallery_entry": "program/gallery_entry",
     "./run build-costs": "a second build",
     "cmake -S . -B build -DDEAL_II_DIR=DIR": "./run, where deal.II is installed",
-    "gmsh -2 -format msh41 -o mine.msh mine.geo": "program/readme_case",
     "./run mine.prm": "program/readme_case",
-    "gmsh -3 -format msh41 -o drag.msh drag.geo": "program/readme_case",
     "./run drag.prm": "program/readme_case",
     "ctest -R half_plane": "tests/half_plane", "ctest -R locking": "tests/locking",
     "ctest -R restart": "program/restart",
@@ -132,6 +129,7 @@ ELSEWHERE = {
     "./run oracle": "program/oracle_quick",
     "./run oracle --count 68 --kind stack,carried": "program/oracle_quick",
     "./run oracle --space --count 200": "program/oracle_quick",
+    "./run oracle --tetrahedra --count 150": "program/oracle_quick",
     "tests/oracle/test_fem.py": "program/oracle_quick",
     "tests/oracle/test_laws.py": "program/oracle_quick",
     "tests/oracle/test_space.py": "program/oracle_quick",

@@ -18,7 +18,7 @@ to 1e-10:
 And on a rigid half space, where nodal points of 6 nodes are combinations, a uniform
 pressure; and that a paraboloid on a block, tetrahedra of degree 2, has the largest
 pressure of Hertz within 2 %, pressures that converge, and with either side as slave
-the same force within 1 %.
+and with nodal points the same force within 1 %.
 
 Usage: tetrahedra_contact.py CONTACT PARAMETERS MESHES
 """
@@ -252,7 +252,7 @@ def on_half_space(degree):
               len(off) > 8 and max(off) < 1e-10, max(off))
 
 
-def paraboloid(n, slave):
+def paraboloid(n, slave, discretization="mortar"):
     """A quarter of z = (x^2 + y^2)/(2 R) on a flat block of the same material,
     with n cells a side that grow away from the contact: the largest pressure by
     Hertz' under the force that there is, the deviation from his pressures within
@@ -284,7 +284,8 @@ def paraboloid(n, slave):
         "Boundary conditions/Displacement y": "Up_y0: 0, Low_y0: 0",
         "Boundary conditions/Displacement z": "Up_z1: -0.04, Low_z1: 0",
         "Contact/Slave": f"{slave}_z0", "Contact/Master": f"{other}_z0",
-        "Solution/Increments": 1, "Output/Profile": "true"})
+        "Contact/Discretization": discretization, "Solution/Increments": 1,
+        "Output/Profile": "true"})
     converged(f"paraboloid of {n} cells, slave {slave}", status, summary, said)
     slave_rows = [row for row in rows("paraboloid") if row["surface"] == "slave"]
     force = 4 * sum(row["nodal_force_N"] for row in slave_rows)
@@ -306,12 +307,17 @@ def hertz():
     _, _, swapped = paraboloid(12, "Low")
     check("Hertz: force as with the other slave", abs(swapped / force - 1) < 0.01,
           (swapped, force))
+    for slave in ("Up", "Low"):
+        _, _, nodal = paraboloid(12, slave, "nodal")
+        check(f"Hertz: force of nodal points on {slave}",
+              abs(nodal / force - 1) < 0.01, (nodal, force))
 
 
 for settings in RUNS:
     patch_test(*settings)
 for of_slave in ("Low", "Up"):
-    patch_test(MATCHING, 4, 4, 1, of_slave, True, 1, "nodal")
+    for of_degree in (1, 2):
+        patch_test(MATCHING, 4, 4, of_degree, of_slave, True, of_degree, "nodal")
 on_half_space(1)
 on_half_space(2)
 hertz()

@@ -24,9 +24,9 @@ class Solid:
         tag = self.groups.setdefault((dimension, group), len(self.groups) + 1)
         self.elements.append((KINDS[dimension, len(nodes)], tag, nodes))
 
-    def block(self, body, n, chart, nodes_of_cell=4, shared=None, points=False):
-        """Nodes are at half steps. 'shared': their numbers, from another block."""
-        number = {} if shared is None else shared
+    def block(self, body, n, chart, nodes_of_cell=4, points=False):
+        """Nodes are at half steps."""
+        number = {}
 
         def node(place):
             if place not in number:
@@ -72,7 +72,7 @@ class Solid:
                      [node(tuple(2 * c * m for c, m in zip(corner, n)))])
         return number
 
-    def write(self, name):
+    def text(self):
         lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames",
                  str(len(self.groups))]
         lines += [f'{d} {tag} "{g}"' for (d, g), tag in self.groups.items()]
@@ -83,4 +83,7 @@ class Solid:
         lines += [f"{i + 1} {kind} 2 {tag} {tag} " + " ".join(map(str, nodes))
                   for i, (kind, tag, nodes) in enumerate(self.elements)]
         lines += ["$EndElements", ""]
-        pathlib.Path(f"{name}.msh").write_text("\n".join(lines))
+        return "\n".join(lines)
+
+    def write(self, name):
+        pathlib.Path(f"{name}.msh").write_text(self.text())

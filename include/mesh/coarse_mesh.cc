@@ -10,6 +10,7 @@
 
 #include "base/dimension.h"
 #include "base/errors.h"
+#include "mesh/mixed_cells.h"
 
 namespace Contact
 {
@@ -37,19 +38,14 @@ namespace Contact
     }
 
     template<>
-    std::vector<Face> faces_of<3>(const Corners &c)
+    std::vector<Face> faces_of<3>(const Corners &corners)
     {
-      if (c.size() == 4)
-        return {{c[0], c[1], c[2]},
-                {c[0], c[1], c[3]},
-                {c[0], c[2], c[3]},
-                {c[1], c[2], c[3]}};
-      std::vector<Face> faces = {{c[0], c[1], c[2], c[3]},
-                                 {c[4], c[5], c[6], c[7]}};
-      for (unsigned int i = 0; i < 4; ++i)
+      std::vector<Face> faces;
+      for (const auto &face : faces_of_volume(corners.size()))
         {
-          const unsigned int j = (i + 1) % 4;
-          faces.push_back({c[i], c[j], c[j + 4], c[i + 4]});
+          faces.emplace_back();
+          for (const unsigned int corner : face)
+            faces.back().push_back(corners[corner]);
         }
       return faces;
     }
@@ -332,33 +328,6 @@ namespace Contact
 
 
 
-    /// Hexahedra and tetrahedra share no nodes: the face of a hexahedron would
-    /// be none of a tetrahedron.
-    template<int dim>
-    void check_kinds(const MshFile         &msh,
-                     const VertexNumbers   &vertices,
-                     const CoarseMesh<dim> &coarse)
-    {
-      if (dim == 2)
-        return;
-      std::vector<std::size_t> n_corners(vertices.size(), 0);
-      for (const auto &element : msh.elements[dim])
-        for (const long node : element.nodes)
-          {
-            const unsigned int v = vertices.at(node);
-            if (n_corners[v] != 0 && n_corners[v] != element.nodes.size())
-              throw InputError("a hexahedron and a tetrahedron share the node "
-                               "at " +
-                                 to_string(coarse.vertices[v]),
-                               msh.where(element),
-                               "mesh all that is joined with tetrahedra, or "
-                               "all with hexahedra");
-            n_corners[v] = element.nodes.size();
-          }
-    }
-
-
-
     std::map<std::string, unsigned int>
     find_points(const MshFile &msh, const VertexNumbers &vertices)
     {
@@ -383,7 +352,6 @@ namespace Contact
     CoarseMesh<dim> coarse;
     const auto      vertices = number_vertices<dim>(msh);
     coarse.vertices          = vertex_points<dim>(msh, vertices);
-    check_kinds(msh, vertices, coarse);
     coarse.cells     = make_cells(msh, vertices, coarse.vertices, bodies);
     const auto faces = count_faces(coarse.cells, coarse.vertices, msh);
     number_boundaries(msh, vertices, faces, coarse);

@@ -18,6 +18,7 @@
 #include "base/errors.h"
 #include "base/string_utilities.h"
 #include "mesh/coarse_mesh.h"
+#include "mesh/crossed_diagonals.h"
 #include "mesh/distributed_mesh.h"
 #include "mesh/groups.h"
 #include "mesh/placement.h"
@@ -271,12 +272,14 @@ namespace Contact
     points                 = coarse.points;
     with_inner_faces       = coarse.with_inner_faces;
     inner_curves           = coarse.inner_curves;
+    n_split                = msh.n_split;
     name_points(parameters, placement, coarse, *this);
     place_vertices(placement, msh, coarse);
     order_cells(coarse.cells);
     triangulation.create_triangulation(coarse.vertices,
                                        coarse.cells,
                                        coarse.faces);
+    check_diagonals(triangulation, msh.name);
     pieces.find(triangulation);
     if (!parameters.mid_side_nodes)
       coarse.mid_sides.clear();

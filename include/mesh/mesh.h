@@ -67,7 +67,8 @@ namespace Contact
     /**
      * Read a gmsh file in MSH format 2.2 or 4.1, ASCII, with physical names.
      * Quadrangles and triangles may be mixed, hexahedra and tetrahedra if they
-     * share no nodes; of elements of second order only the corners are used;
+     * share no nodes: otherwise, and with wedges and pyramids, all are split
+     * into tetrahedra; of elements of second order only the corners are used;
      * left-handed cells are turned round; faces inside a body are ignored.
      * Bodies are moved and the whole is placed, round boundaries get their
      * manifold, then the mesh is refined.
@@ -122,6 +123,9 @@ namespace Contact
 
     /// Those of a multigrid on this mesh.
     LevelMeshes<dim> levels;
+
+    /// Body -> how many of its cells were split into tetrahedra.
+    std::map<std::string, unsigned int> n_split;
 
     /// The groups above, or an InputError which says what there is instead.
     /// @p entry is the entry of the parameters that names the group.

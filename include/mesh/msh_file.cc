@@ -11,6 +11,7 @@
 
 #include "base/string_utilities.h"
 #include "mesh/mid_sides.h"
+#include "mesh/mixed_cells.h"
 
 
 namespace Contact
@@ -33,14 +34,15 @@ namespace Contact
                                                       {10, {2, 9, 4}},
                                                       {4, {3, 4, 4}},
                                                       {11, {3, 10, 4}},
+                                                      {7, {3, 5, 5}},
+                                                      {19, {3, 13, 5}},
+                                                      {14, {3, 14, 5}},
+                                                      {6, {3, 6, 6}},
+                                                      {18, {3, 15, 6}},
+                                                      {13, {3, 18, 6}},
                                                       {5, {3, 8, 8}},
                                                       {17, {3, 20, 8}},
                                                       {12, {3, 27, 8}}};
-
-    /// Those of prisms and pyramids of first and second order.
-    const std::set<int> other_volumes = {6, 7, 13, 14, 18, 19};
-
-
 
     /// Fills an MshFile, section by section.
     class MshReader
@@ -91,19 +93,12 @@ namespace Contact
     {
       const int  number = lines.read<int>("the type of an element");
       const auto type   = element_types.find(number);
-      if (other_volumes.count(number) > 0)
-        lines.fail("prisms and pyramids are not supported (gmsh elements of "
-                   "type " +
-                     std::to_string(number) + ")",
-                   "mesh volumes with tetrahedra, or with hexahedra: extrude "
-                   "recombined surfaces with 'Recombine', use transfinite "
-                   "volumes, or set Mesh.SubdivisionAlgorithm = 2");
       if (type == element_types.end())
         lines.fail("gmsh elements of type " + std::to_string(number) +
                      " are not supported",
                    "mesh a surface (gmsh -2) with lines, triangles and "
                    "quadrangles of first or second order, or a volume (gmsh "
-                   "-3) with tetrahedra or hexahedra");
+                   "-3) with tetrahedra, hexahedra, wedges and pyramids");
       return type->second;
     }
 
@@ -445,6 +440,8 @@ namespace Contact
 
   MshFile read_msh(const std::string &file)
   {
-    return MshReader(file).read();
+    MshFile msh = MshReader(file).read();
+    split_mixed_cells(msh);
+    return msh;
   }
 } // namespace Contact

@@ -159,14 +159,14 @@ namespace Contact
    */
   struct MshFile
   {
-    /// A point, a line, a triangle, a quadrangle, a hexahedron or a
-    /// tetrahedron.
+    /// A point, a line, a triangle, a quadrangle, a hexahedron, a tetrahedron
+    /// or, before it is split, a wedge or a pyramid.
     struct Element
     {
       /// gmsh's number, for messages.
       long number;
 
-      /// The corners by node number, in gmsh's cyclic order, of hexahedra the
+      /// The corners by node number, in gmsh's cyclic order, of volumes the
       /// bottom before the top; the mid-side and centre nodes of elements of
       /// second order are left out.
       std::vector<long> nodes;
@@ -181,8 +181,8 @@ namespace Contact
     /// Node number -> coordinates.
     std::map<long, Point<3>> nodes;
 
-    /// Corners of an edge or, of volumes, of a face, in ascending order -> the
-    /// node on its middle.
+    /// Corners of an edge or, of volumes, of a face or the volume itself, in
+    /// ascending order -> the node on its middle.
     std::map<std::vector<long>, long> mid_sides;
 
     /// By dimension: points, lines, surfaces, volumes. All nodes exist. An
@@ -193,18 +193,21 @@ namespace Contact
     /// By dimension: tag of a physical group -> its name. None is empty.
     std::array<std::map<int, std::string>, 4> names;
 
+    /// Body -> how many of its cells were split, see split_mixed_cells().
+    std::map<std::string, unsigned int> n_split;
+
     /// That of the cells, which are volumes if the file has any.
     unsigned int dimension() const
     {
       return elements[3].empty() ? 2 : 3;
     }
 
-    /// Whether there are triangles (2-D) or tetrahedra among the cells.
+    /// Whether not all cells are quadrangles (2-D) or hexahedra.
     bool has_simplices() const
     {
       const auto &cells = elements[dimension()];
       return std::any_of(cells.begin(), cells.end(), [&](const auto &cell) {
-        return cell.nodes.size() == dimension() + 1;
+        return cell.nodes.size() != 1u << dimension();
       });
     }
 
@@ -221,9 +224,11 @@ namespace Contact
    * Read a gmsh file in MSH format 2.2 or 4.1, ASCII. Sections which are not
    * needed are skipped. Throws InputError with file and line if the file can
    * not be read, is of another format, is incomplete, or has elements other
-   * than points, lines, triangles, quadrangles, hexahedra and tetrahedra of
-   * first or second order, nodes which do not exist, plane cells out of a plane
-   * of constant z, no named body, or groups without elements.
+   * than points, lines, triangles, quadrangles, hexahedra, tetrahedra, wedges
+   * and pyramids of first or second order, nodes which do not exist, plane
+   * cells out of a plane of constant z, no named body, or groups without
+   * elements. Wedges and pyramids are split into tetrahedra, with what is
+   * joined to them.
    */
   MshFile read_msh(const std::string &file);
 } // namespace Contact

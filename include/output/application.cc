@@ -19,6 +19,7 @@
 #include "base/files.h"
 #include "base/interruption.h"
 #include "base/string_utilities.h"
+#include "mesh/cad_file.h"
 #include "output/result_files.h"
 #include "output/result_tables.h"
 
@@ -279,6 +280,9 @@ namespace Contact
               "rename one of the files, or run them one by one with "
               "another Output/Directory");
         }
+
+      for (unsigned int i = 0; i < cases.size(); ++i)
+        mesh_cad_file(cases[i], handlers[i], MPI_COMM_WORLD);
 
       std::vector<RunSummary> summaries;
       for (unsigned int i = 0; i < cases.size(); ++i)

@@ -75,6 +75,9 @@ namespace Contact
   {
     run_log.open(result_files->directory / "log.txt",
                  parameters.restart || parameters.is_repeated);
+    if (run_log.is_active)
+      for (const Finding &finding : parameters.findings)
+        run_log.log_only() << line_of(finding) << std::endl;
   }
 
 

@@ -310,6 +310,12 @@ namespace Contact
         findings.push_back(
           {"tetrahedra of degree 1 are too stiff where bodies bend, and lock "
            "where they hardly change their volume. Set 'Element/Degree = 2'"});
+      for (const auto &[body, n] : discretization.mesh.n_split)
+        findings.push_back(
+          {std::to_string(n) + " cells of '" + body +
+           "' were split into tetrahedra: it has wedges or pyramids, or "
+           "hexahedra that share nodes with tetrahedra. To keep hexahedra, mesh "
+           "them as a body without these, tied to the others"});
     }
 
 

@@ -13,6 +13,7 @@
 #include <ostream>
 
 #include "base/string_utilities.h"
+#include "parameters/geometry.h"
 #include "parameters/parameter_file.h"
 
 namespace Contact
@@ -297,7 +298,9 @@ namespace Contact
                          reader.where(error.entries),
                          error.remedy);
       }
-    reader.note_idle(parameters.idle_entries());
+    auto idle = parameters.idle_entries();
+    idle.merge(Parameters::Geometry(prm).idle_entries(parameters.mesh.file));
+    reader.note_idle(idle);
     parameters.findings = reader.findings;
   }
 

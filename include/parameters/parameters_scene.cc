@@ -7,6 +7,7 @@
 
 #include <deal.II/base/patterns.h>
 
+#include "parameters/geometry.h"
 #include "parameters/parameters.h"
 
 namespace Contact
@@ -18,9 +19,11 @@ namespace Contact
       prm.enter_subsection("Mesh");
       prm.add_parameter("File",
                         file,
-                        "The mesh: a gmsh file in MSH format 2.2 or 4.1, "
+                        "The mesh: a gmsh file in MSH format 2.2 or 4.1, or "
+                        "a geometry that gmsh meshes: .geo, .step, .brep; "
                         "coordinates in mm, relative to the file that sets "
                         "this entry.");
+      Geometry::add_parameters(prm);
       prm.add_parameter("Refinements",
                         refinements,
                         "How often the mesh is refined globally [-].",

@@ -396,8 +396,9 @@ def shape_of(code: str, block: Block) -> str:
     if match and match[3] in VARIANTS and int(match[2]) in SHAPES[match[1]]:
         return SHAPES[match[1]][int(match[2])]
     block.fault(f"elements of type {code} are not read",
-                "mesh with CPE, CAX or CPS of 3, 4, 6 or 8 nodes or with C3D8 or "
-                "C3D20, and delete elements that are no volumes or areas")
+                "mesh with CPE, CAX or CPS of 3, 4, 6 or 8 nodes or with C3D4, "
+                "C3D8, C3D10 or C3D20, and delete elements that are no volumes or "
+                "areas")
 
 
 def whole_rows(block: Block, n: int) -> list[Row]:

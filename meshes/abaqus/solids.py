@@ -163,6 +163,9 @@ def put_elements(case: Case, bodies: list[Body]) -> None:
         if code.endswith(("R", "RH")):
             case.leave(cell.row, f"{code}: reduced integration; cells are "
                        "integrated in full")
+        if code.startswith("C3D10M"):
+            case.leave(cell.row, f"{code}: modified formulation; cells are "
+                       "tetrahedra of 10 nodes")
     soft = [body.name for body in bodies
             if any(cell.code.endswith(("I", "IH")) for cell in body.cells)]
     for name in soft:

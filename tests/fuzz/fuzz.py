@@ -3,13 +3,13 @@
 """Random scenes and damaged files: does the program answer, and rightly?
 
     fuzz.py [--scenes N] [--space N] [--damaged N] [--damaged-space N]
-            [--first SEED] [--quick] [--output DIR] [--processes P]
-            [--limit SECONDS] [--least SHARE] CONTACT
+            [--damaged-tetrahedra N] [--first SEED] [--quick] [--output DIR]
+            [--processes P] [--limit SECONDS] [--least SHARE] CONTACT
 
-See scenes.py, space_scenes.py, damaged.py and damaged_space.py. CONTACT may be
-a build with sanitizers, see README.md here. Reports are DIR/scenes.md,
-space_scenes.md, damaged.md, damaged_space.md, and the same as .csv, DIR being
-output/fuzz if not told. Exit status: 0, or 1 if a run
+See scenes.py, space_scenes.py, damaged.py, damaged_space.py and
+damaged_tetrahedra.py. CONTACT may be a build with sanitizers, see README.md here.
+Reports are DIR/scenes.md, space_scenes.md, damaged.md and so on, and the same as
+.csv, DIR being output/fuzz if not told. Exit status: 0, or 1 if a run
 crashed, hung, was answered badly, or converged to what cannot be true, or if
 less than SHARE of the scenes converged or had a mesh that the program calls too
 coarse (a violated depth).
@@ -20,12 +20,13 @@ import sys
 
 import damaged
 import damaged_space
+import damaged_tetrahedra
 import scenes
 import space_scenes
 
 # How many of each kind, in full and quickly.
 NUMBERS = {"scenes": (300, 12), "space": (200, 4), "damaged": (500, 30),
-           "damaged_space": (300, 8)}
+           "damaged_space": (300, 8), "damaged_tetrahedra": (200, 8)}
 
 
 def main():
@@ -58,7 +59,9 @@ def main():
         bad += scenes.failures(solved, options.least)
         said.append("%d %s" % (len(solved), kind))
     for kind, case in (("damaged", damaged.Case),
-                       ("damaged_space", damaged_space.SpaceCase)):
+                       ("damaged_space", damaged_space.SpaceCase),
+                       ("damaged_tetrahedra",
+                        damaged_tetrahedra.TetrahedraCase)):
         answered, text = damaged.run_damaged(
             case, options.contact, seeds(kind), output, options.processes,
             options.limit)

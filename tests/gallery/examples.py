@@ -14,7 +14,8 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from drawing import (DIVERGING, FINER, SIZE, TITLE, VIRIDIS, bar_actor,
                      body_actor, colours, moved_grid, parameter, save, strip,
                      summary, text_actor, unmoved_grid, view)
-from space import field, places, plain_actor, polygons
+from space import (field, places, plain_actor, polygons, shaded,
+                   space_view)
 
 RIGID, HILL = "c4c4c4", "e08030"
 FAR = 100.0  # mm: beyond each window
@@ -284,6 +285,26 @@ def draw_roller(case: Path, path: Path) -> None:
     save([title("Roller on a block that yields, displacements x 1")] + panels, path)
 
 
+def draw_lug(case: Path, path: Path) -> None:
+    """Lug and pin from above, and the bore alone."""
+    panels = []
+    for i, (kind, name, towards_viewer, words) in enumerate((
+            ("bodies", "von_mises", (0.5, -0.8, 0.9), "von Mises stress [MPa]"),
+            ("contact", "pressure", (-1.0, -0.5, 0.7),
+             "the bore: contact pressure [MPa]"))):
+        grid = moved_grid(case, kind, 1.0)
+        table = colours(VIRIDIS, 0, field(grid, name).max())
+        part, above, beside = row(i, 2)
+        wide = (part[2] - part[0]) * SIZE[0] / ((part[3] - part[1]) * SIZE[1])
+        panels += [strip(above, [text_actor(words, 0.02, 0.2)]),
+                   space_view(part, towards_viewer, grid.GetBounds(),
+                              [shaded(body_actor(grid, name, table, True))],
+                              nearer=1.3 / wide),
+                   strip(beside, [bar_actor(table)])]
+    save([title("A pin in the bore of a lug, meshed from its STEP file, "
+                "displacements x 1")] + panels, path)
+
+
 def with_probes(probes: str) -> dict[str, str]:
     return {"Probes/Probes": probes}
 
@@ -294,6 +315,7 @@ PICTURES = {
              {}),
     "press_fit": (draw_press_fit, {}, {}),
     "snap_hook": (draw_snap_hook, {}, {}),
+    "lug": (draw_lug, {}, {"Mesh/Size": 6, "Mesh/Sizes": "Bore: 3, Shank: 3"}),
     "roller": (draw_roller,
                with_probes("motion x: obstacle motion x, Contact; "
                            "motion y: obstacle motion y, Contact"),

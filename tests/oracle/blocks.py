@@ -48,7 +48,8 @@ class Block:
 
     def make_modes(self, points, kind, degree):
         """Polynomials, orthonormal by the weights of each cell."""
-        n = 1 + self.dim if kind != "triangle" and degree == 2 else 1
+        is_simplex = kind in ("triangle", "tet")
+        n = 1 + self.dim if not is_simplex and degree == 2 else 1
         raw = np.array([[1, *p] for p in points], float)[:, :n]
         root = np.sqrt(self.w)[:, :, None]
         q, _ = np.linalg.qr(root * raw[None])

@@ -1,16 +1,21 @@
 """Shape functions and quadrature of the plane elements: Q4, Q8, T3, T6, of
-their edges, and of hexahedra with 8 and 27 nodes and their faces.
+their edges, of hexahedra with 8 and 27 nodes, of tetrahedra with 4 and 10, and
+of their faces.
 
 Nodes: corners anticlockwise, then the middles of the edges 01, 12, 23, 30 (01,
 12, 20 of triangles). Quadrangles live in [-1, 1]^2, triangles in x, y >= 0,
 x + y <= 1, edges in [-1, 1] with the nodes begin, end, middle. Hexahedra and
-their faces have their nodes in rows: x first, then y, then z."""
+their faces have their nodes in rows: x first, then y, then z. Tetrahedra live in
+x, y, z >= 0, x + y + z <= 1, their nodes are the corners, then the middles of
+TETRAHEDRON's edges; their faces are T3 and T6."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import itertools
 
 import numpy as np
 
 CORNERS = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]], float)
+TRIANGLE = ((0, 1), (1, 2), (2, 0))
+TETRAHEDRON = (*TRIANGLE, (0, 3), (1, 3), (2, 3))
 
 
 def q4(x, y):
@@ -42,8 +47,17 @@ def t3(x, y):
 
 
 def t6(x, y):
-    c, slope = t3(x, y)
-    pairs = ((0, 1), (1, 2), (2, 0))
+    return quadratic(*t3(x, y), TRIANGLE)
+
+
+def tetrahedron(place, degree):
+    c = np.array([1 - sum(place), *place])
+    slope = np.concatenate([-np.ones((1, 3)), np.eye(3)])
+    return (c, slope) if degree == 1 else quadratic(c, slope, TETRAHEDRON)
+
+
+def quadratic(c, slope, pairs):
+    """Of a simplex with these linear functions and their gradients."""
     return (np.array([a * (2 * a - 1) for a in c] +
                      [4 * c[i] * c[j] for i, j in pairs]),
             np.array([(4 * a - 1) * s for a, s in zip(c, slope)] +
@@ -81,6 +95,41 @@ def hammer_seven():
     return points
 
 
+def gauss_tetrahedron(degree):
+    """Exact to degree 1 and 2: the points of the program."""
+    if degree == 1:
+        return [((1 / 4,) * 3, 1 / 6)]
+    a = (5 - 5 ** 0.5) / 20
+    return [(place, 1 / 24) for place in ((a, a, a), (1 - 3 * a, a, a),
+                                          (a, 1 - 3 * a, a), (a, a, 1 - 3 * a))]
+
+
+def collapsed(n, dim):
+    """Gauss points of a square or cube that is collapsed to a simplex: exact to
+    degree 2 n - dim."""
+    found = []
+    for place, w in gauss_cube(n, dim):
+        at, left = [], 1.0
+        for x in place:
+            w *= left / 2
+            at.append(left * (1 + x) / 2)
+            left -= at[-1]
+        found.append((at, w))
+    return found
+
+
+def face(place, n):
+    """Of a face with n nodes."""
+    if n in (3, 6):
+        return (t3 if n == 3 else t6)(*place)
+    return tensor(place, 1 if n == 4 else 2)
+
+
+def face_rule(n, points):
+    """So many points along each side of a face with n nodes."""
+    return collapsed(points, 2) if n in (3, 6) else gauss_cube(points, 2)
+
+
 def tensor(place, degree):
     """The products of edges: shape functions and gradients at a place of a face
     or a hexahedron."""
@@ -103,6 +152,9 @@ def gauss_cube(n, dim):
 
 def rule(kind, degree):
     """Shape functions and points of an element: those of the stiffness."""
+    if kind == "tet":
+        return ((lambda *place: tetrahedron(place, degree)),
+                gauss_tetrahedron(degree))
     if kind == "hex":
         return ((lambda *place: tensor(place, degree)),
                 gauss_cube(degree + 1, 3))

@@ -199,6 +199,8 @@ class Model:
             shape, points = elements.rule(kind, self.degree)
             if kind == "triangle":
                 points = elements.hammer_seven()
+            elif kind == "tet":
+                points = elements.collapsed(3, 3)
             for p, w in points:
                 N, slope = shape(*p)
                 X = np.einsum("a,eai->ei", N, self.X[cells])

@@ -175,8 +175,8 @@ class Mesh:
         """With another node as the first one."""
         return np.roll(cell, rng.randrange(len(cell)))
 
-    def element(self, nodes):
-        """The type of gmsh, and the nodes in its order."""
+    def element(self, nodes, kind=None):
+        """The type of gmsh, and the nodes in its order; `kind` of cells."""
         if len(nodes) < 3:
             return [15 if len(nodes) == 1 else 1, *nodes]
         return [3 if len(nodes) == 4 else 2, *nodes]
@@ -191,7 +191,7 @@ class Mesh:
                                                for line in lines])
                    for name, lines in self.lines.items()]
         for body in self.bodies:
-            cells = [self.element(c) for (name, kind), array in
+            cells = [self.element(c, kind) for (name, kind), array in
                      self.cells.items() if name == body
                      for c in array.tolist()]
             groups.append((self.dimension, body, cells))

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Random scenes of many kinds, judged by a finite element code of its own.
 
-    oracle.py [--space] [--count N] [--seed S] [--kind K,...] [--keep DIRECTORY]
+    oracle.py [--space | --tetrahedra] [--count N] [--seed S] [--kind K,...] [--keep DIRECTORY]
               [--jobs N] [--variants SHARE] [--strict] CONTACT
     oracle.py --scenes "KIND SEED, ..." [...] CONTACT
 
@@ -38,6 +38,7 @@ import space_blocks
 import space_materials
 import space_round
 import space_sides
+import space_tetrahedra
 import variants
 
 KINDS = {f.__name__: f for f in kinds_blocks.KINDS + kinds_shapes.KINDS +
@@ -45,12 +46,13 @@ KINDS = {f.__name__: f for f in kinds_blocks.KINDS + kinds_shapes.KINDS +
          kinds_sides.KINDS}
 SPACE = {"space_" + f.__name__: f for f in space_blocks.KINDS +
          space_round.KINDS + space_materials.KINDS + space_sides.KINDS}
+TETRAHEDRA = {"tetrahedra_" + f.__name__: f for f in space_tetrahedra.KINDS}
 COLUMNS = ("run", "converged", "differs", "refused", "not converged", "wrong",
            "crash", "seconds", "most s", "most MB", "steps")
 
 
 def make(kind, seed):
-    scene = {**KINDS, **SPACE}[kind](random.Random("%s %d" % (kind, seed)),
+    scene = {**KINDS, **SPACE, **TETRAHEDRA}[kind](random.Random("%s %d" % (kind, seed)),
                                      seed)
     scene.kind, scene.name = kind, "%s_%d" % (kind, seed)
     return scene
@@ -165,6 +167,7 @@ def main():
     parser.add_argument("--kind")
     parser.add_argument("--scenes")
     parser.add_argument("--space", action="store_true")
+    parser.add_argument("--tetrahedra", action="store_true")
     parser.add_argument("--keep", default="output/oracle", type=pathlib.Path)
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--variants", type=float, default=0.25)
@@ -173,7 +176,8 @@ def main():
     options = parser.parse_args()
     binary = options.contact.resolve()
     kinds = (options.kind.split(",") if options.kind else
-             list(SPACE if options.space else KINDS))
+             list(SPACE if options.space else
+                  TETRAHEDRA if options.tetrahedra else KINDS))
     todo = [(kinds[k % len(kinds)], options.seed + k // len(kinds))
             for k in range(options.count)]
     if options.scenes:

@@ -22,16 +22,17 @@ PAIRINGS, STEPS = 4, 60
 DONE = 1e-7
 
 
-def tables(model):
-    """Shape functions of a facet at its points, their slopes, the weights."""
+def tables(model, n):
+    """Shape functions of a facet with n nodes at its points, their slopes, the
+    weights."""
     dim = model.dim
     if dim == 2:
         places, weights = np.polynomial.legendre.leggauss(POINTS[2])
         both = [elements.edge(x, model.degree) for x in places]
         return (np.array([N for N, _ in both]),
                 np.array([s[:, None] for _, s in both]), weights)
-    rule = elements.gauss_cube(POINTS[3], 2)
-    both = [elements.tensor(place, model.degree) for place, _ in rule]
+    rule = elements.face_rule(n, POINTS[3])
+    both = [elements.face(place, n) for place, _ in rule]
     return (np.array([N for N, _ in both]), np.array([s for _, s in both]),
             np.array([w for _, w in rule]))
 
@@ -40,7 +41,7 @@ class Points:
     """Those of a group on its deformed facets: places, normals, sizes."""
 
     def __init__(self, model, facets, x):
-        N, slopes, w = tables(model)
+        N, slopes, w = tables(model, facets.shape[1])
         n_points = len(w)
         self.x = np.einsum("qa,fai->fqi", N, x[facets]).reshape(-1, model.dim)
         along = np.einsum("qad,fai->fqdi", slopes, x[facets])
@@ -52,7 +53,7 @@ class Points:
         size = np.linalg.norm(n, axis=-1)
         self.n = (n / size[..., None]).reshape(-1, model.dim)
         self.w = (size * w).ravel()
-        extent = size.mean(1) * 2 ** (model.dim - 1)
+        extent = (size * w).sum(1)
         self.h = np.repeat(extent ** (1 / (model.dim - 1)), n_points)
         self.nodes = np.repeat(facets, n_points, axis=0)
         self.N = np.tile(N, (len(facets), 1))

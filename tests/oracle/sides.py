@@ -11,12 +11,15 @@ EDGE = math.radians(35)
 
 
 def normals_of(X, facets):
-    """Outward ones of straight lines (the body on the left), or of faces in
-    rows."""
+    """Outward ones of straight lines (the body on the left), of triangles, or of
+    faces in rows."""
     corners = X[np.array(facets)]
     if X.shape[1] == 2:
         along = corners[:, 1] - corners[:, 0]
         n = np.stack([along[:, 1], -along[:, 0]], 1)
+    elif corners.shape[1] == 3:
+        n = np.cross(corners[:, 1] - corners[:, 0],
+                     corners[:, 2] - corners[:, 0])
     else:
         n = np.cross(corners[:, 3] - corners[:, 0],
                      corners[:, 2] - corners[:, 1])
@@ -31,7 +34,7 @@ def borders(facet):
     """What a facet shares with its neighbours: nodes, or the ends of edges."""
     if len(facet) == 2:
         return [frozenset([n]) for n in facet]
-    ring = [facet[k] for k in (0, 1, 3, 2)]
+    ring = [facet[k] for k in ((0, 1, 2) if len(facet) == 3 else (0, 1, 3, 2))]
     return [frozenset(pair) for pair in zip(ring, ring[1:] + ring[:1])]
 
 

@@ -13,7 +13,8 @@ import results
 import sides
 import space_surfaces
 import surfaces
-from space_zone import cone_angle
+from space_surfaces import TRIANGLES
+from space_zone import cone_angle, to_functions
 from zone_check import ANGLE, APART, COUNTS, Problem, connected
 
 # Of the approach (without a known one of the largest displacement): how deep a
@@ -32,12 +33,12 @@ WORK = 0.1
 NET, JAMMED = 0.15, 0.33
 
 
-def corners_of(facets):
+def corners_of(facets, dim):
     """The vertices of lines and faces of either degree."""
     n = facets.shape[1]
-    if n < 4:
-        return facets[:, :2]
-    return facets if n == 4 else facets[:, [0, 2, 6, 8]]
+    if n in (4, 9):
+        return facets if n == 4 else facets[:, [0, 2, 6, 8]]
+    return facets[:, :dim]
 
 
 def places_of(model, facets, x):
@@ -53,8 +54,8 @@ class Side:
         self.facets = model.lines[group]
         self.nodes = np.unique(self.facets)
         self.places = places_of(model, self.facets, x)
-        self.normals = sides.normals_of(x, corners_of(self.facets))
-        self.turn = sides.turn_of(model.X, corners_of(self.facets))
+        self.normals = sides.normals_of(x, corners_of(self.facets, model.dim))
+        self.turn = sides.turn_of(model.X, corners_of(self.facets, model.dim))
         self.corners = x[self.corner_nodes(model.X)]
         as_master = copy.copy(zone)
         as_master.master = group
@@ -63,13 +64,13 @@ class Side:
         self.kind = surfaces.Polyline if model.dim == 2 else (
             space_surfaces.Facets)
         self.x = x
-        edges = np.ptp(x[corners_of(self.facets)], axis=1)
+        edges = np.ptp(x[corners_of(self.facets, model.dim)], axis=1)
         # Chords of a round surface.
         self.sagitta = self.turn * np.linalg.norm(edges, axis=1).max() / 4
 
     def corner_nodes(self, X):
         """Where the surface as drawn ends, or turns as at an edge."""
-        vertices = corners_of(self.facets)
+        vertices = corners_of(self.facets, X.shape[1])
         normals = sides.normals_of(X, vertices)
         found = []
         for node in np.unique(vertices):
@@ -117,6 +118,10 @@ class SidesCheck:
         self.turn = self.slave.turn + self.master.turn
         self.force = state.residual[self.nodes]
         self.judged = ~state.held[self.nodes].any(1)
+        if model.dim == 3:
+            functions = to_functions(self.nodes, self.slave.facets)
+            self.force = functions @ self.force
+            self.judged = (abs(functions) @ ~self.judged) == 0
         self.gaps = self.master.gaps(self.slave)
         self.around = [np.flatnonzero((self.slave.facets == n).any(1))
                        for n in self.nodes]
@@ -146,7 +151,11 @@ class SidesCheck:
         touch in part, or hold a corner of the master, are judged by their
         sum."""
         reach = APART * self.slack + self.sagitta
-        partly = self.touch.any(1) & (
+        touch = self.touch.any(1)
+        if self.model.dim == 3 and self.slave.facets.shape[1] in TRIANGLES:
+            # Of a vertex that touches, the triangles that do not.
+            touch = np.isin(self.slave.facets, self.slave.facets[touch]).any(1)
+        partly = touch & (
             (self.gaps > reach).any(1) |
             (self.slave.distances_of_corners(self.master) <= reach))
         for nodes in connected(self.slave.facets[partly]):
@@ -196,9 +205,13 @@ class SidesCheck:
 
     def facets_along(self):
         """The fewest along a side of the slave that touches."""
-        side = sides.sides_of(self.model.X, corners_of(self.slave.facets))
+        side = sides.sides_of(self.model.X, corners_of(self.slave.facets,
+                                                       self.model.dim))
         count = np.bincount(side)[np.unique(side[self.touch.any(1)])]
-        return max(1, int(count.min(initial=1000) ** (
+        # Two triangles in the place of a quadrangle.
+        halves = 1 + (self.slave.facets.shape[1] in TRIANGLES and
+                      self.model.dim == 3)
+        return max(1, int((count.min(initial=1000) / halves) ** (
             1 / (self.model.dim - 1))))
 
     def check_force(self, k):

@@ -50,8 +50,10 @@ def distance(scene, one, other):
 def fewest(scene):
     """Facets along any side of the surfaces of contact."""
     mesh = scene.mesh
-    return min(np.bincount(sides.sides_of(mesh.X, mesh.lines[group])).min() ** (
-        1 / (len(scene.axes) - 1)) for group in ("In", "Out"))
+    return min((np.bincount(sides.sides_of(mesh.X, mesh.lines[group])).min() /
+                (2 if scene.axes == "xyz" and len(mesh.lines[group][0]) == 3
+                 else 1)) ** (1 / (len(scene.axes) - 1))
+               for group in ("In", "Out"))
 
 
 def compare(scene, base, binary, directory):

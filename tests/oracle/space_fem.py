@@ -1,4 +1,5 @@
-"""The bodies of a scene in 3-D: hexahedra of 8, 20 and 27 nodes.
+"""The bodies of a scene in 3-D: hexahedra of 8, 20 and 27 nodes, tetrahedra of
+4 and 10.
 
 A hexahedron of 20 nodes is one of 27 whose centres follow: that of a face half
 the sum of the middles of its edges minus a quarter of the sum of its corners,
@@ -25,6 +26,12 @@ def places(dim):
         for place in itertools.product(range(3), repeat=dim)]
 
 
+HEXAHEDRON, QUADRANGLE = places(3), places(2)
+SIMPLICES = {n: [[k] for k in range(n)] + [list(pair) for pair in pairs]
+             for n, pairs in ((3, elements.TRIANGLE),
+                              (4, elements.TETRAHEDRON))}
+
+
 class SpaceModel(fem.Model):
     """As in 2-D; `lines` are faces here. `middle` knows the nodes of
     degree 2 by the corners that they are in the middle of."""
@@ -33,9 +40,10 @@ class SpaceModel(fem.Model):
         X = list(mesh.X)
         complete = {}
         for key, array in cells.items():
+            of_cell = HEXAHEDRON if key[1] == "hex" else SIMPLICES[4]
             complete[key] = np.array([
                 [self.node_between(frozenset(cell[k] for k in corners), mesh,
-                                   X) for corners in places(3)]
+                                   X) for corners in of_cell]
                 for cell in array.tolist()])
         self.X = np.array(X)
         return complete
@@ -51,15 +59,20 @@ class SpaceModel(fem.Model):
     def complete(self, faces):
         if self.degree == 1:
             return np.array(faces)
+        faces = np.array(faces)
+        of_face = QUADRANGLE if faces.shape[1] == 4 else SIMPLICES[3]
         return np.array([[self.node_between(frozenset(
-            face[k] for k in corners), None, None) for corners in places(2)]
-            for face in np.array(faces).tolist()])
+            face[k] for k in corners), None, None) for corners in of_face]
+            for face in faces.tolist()])
 
     def edge_load(self, name, traction):
         total = np.zeros_like(self.X)
         faces = self.lines[name]
-        for place, w in elements.gauss_cube(self.degree + 1, 2):
-            N, slope = elements.tensor(place, self.degree)
+        nodes = faces.shape[1]
+        # What one side of a collapsed square loses.
+        points = self.degree + 1 + (nodes in (3, 6))
+        for place, w in elements.face_rule(nodes, points):
+            N, slope = elements.face(place, nodes)
             tangents = np.einsum("ad,fai->fdi", slope, self.X[faces])
             normal = np.cross(tangents[:, 0], tangents[:, 1])
             area = np.linalg.norm(normal, axis=1)
@@ -83,11 +96,13 @@ class SpaceModel(fem.Model):
         free = set()
         for zone in self.scene.zones:
             for group in (zone.slave, zone.master):
-                free.update(self.lines[group][:, 4] if group else ())
+                faces = self.lines[group] if group else np.empty((0, 0))
+                free.update(faces[:, 4] if faces.shape[1] == 9 else ())
         self.bound = np.zeros(self.X.shape, bool)
         rows, columns, values = [], [], []
         rule = centres()
-        for cell in np.concatenate(list(self.cells.values())):
+        for cell in [cell for (_, kind), cells in self.cells.items()
+                     if kind == "hex" for cell in cells]:
             leaders_of = {c: [(cell[k], factor) for k in middles] +
                           [(cell[k], -0.25) for k in corners]
                           for c, middles, factor, corners in rule}

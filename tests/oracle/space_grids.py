@@ -1,5 +1,5 @@
-"""Meshes of hexahedra: bodies on grids whose cells may be left out, bent into
-shape, and the file of a mesh."""
+"""Meshes of hexahedra and tetrahedra: bodies on grids whose cells may be left
+out, bent into shape, and the file of a mesh."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import itertools
 
@@ -25,6 +25,34 @@ def rotations():
                 found.append([corners.index(tuple(int(v) for v in (
                     R @ c[::-1])[::-1])) for c in corners])
     return found
+
+
+# Of a tetrahedron onto itself, as orders of its corners.
+TURNS = [list(p) for p in itertools.permutations(range(4)) if np.linalg.det(
+    np.eye(4)[list(p)]) > 0]
+
+
+def six(start):
+    """The tetrahedra of a hexahedron in rows, around the diagonal that begins
+    in this corner: along its edges to the other end."""
+    found = []
+    for axes in itertools.permutations(range(3)):
+        path = [start]
+        for d in axes:
+            path.append(path[-1] ^ 1 << d)
+        at = np.array([[k >> d & 1 for d in range(3)] for k in path])
+        if np.linalg.det(at[1:] - at[0]) < 0:
+            path[2:] = path[:1:-1]
+        found.append(path)
+    return np.array(found)
+
+
+def halves(face, edges):
+    """The triangles of a face in rows, cut where there is an edge."""
+    a, b, c, d = face
+    if frozenset((a, d)) in edges:
+        return [(a, b, d), (a, d, c)]
+    return [(a, b, c), (b, d, c)]
 
 
 class SpaceBody:
@@ -146,10 +174,59 @@ class SpaceMesh(Mesh):
         return other
 
     def turned_cell(self, cell, rng):
+        if len(cell) == 4:
+            return np.array(cell)[rng.choice(TURNS)]
         return np.array(cell)[rng.choice(rotations())]
 
-    def element(self, nodes):
+    def element(self, nodes, kind=None):
+        if kind == "tet" or len(nodes) == 3:
+            return [4 if kind else 2, *nodes]
         kind = {8: 5, 4: 3, 1: 15}[len(nodes)]
         return [kind, *(nodes[k] for k in GMSH[len(nodes)])]
+
+    # Tetrahedra.
+    def cut(self, bodies, rng):
+        """The hexahedra of these bodies cut into six tetrahedra each, around a
+        diagonal of their own."""
+        for body in bodies:
+            start = rng.randrange(8)
+            hexahedra = self.cells.pop((body, "hex"))
+            tetrahedra = hexahedra[:, six(start)].reshape(-1, 4)
+            self.cells[body, "tet"] = tetrahedra
+            edges = {frozenset(pair) for cell in tetrahedra.tolist()
+                     for pair in itertools.combinations(cell, 2)}
+            nodes = set(hexahedra.ravel().tolist())
+            for faces in (self.lines, self.boundary):
+                for name, members in faces.items():
+                    faces[name] = [
+                        part for face in members for part in (
+                            halves(face, edges) if nodes.issuperset(face)
+                            else [face])]
+        return self
+
+    def shaken(self, body, rng, share):
+        """Nodes of a body moved by up to a share of the shortest edge there: in
+        any direction inside of it, along the boundary where that is flat."""
+        cells = np.concatenate([array for (name, _), array in
+                                self.cells.items() if name == body])
+        ends = self.X[cells]
+        edges = [np.linalg.norm(ends[:, a] - ends[:, b], axis=1)
+                 for a, b in itertools.combinations(range(cells.shape[1]), 2)]
+        step = share * np.min(edges)
+        normals = {n: [] for n in np.unique(cells).tolist()}
+        for face in self.boundary[body]:
+            a, b, c = self.X[list(face[:3])]
+            n = np.cross(b - a, c - a)
+            for node in face:
+                normals[node].append(n / np.linalg.norm(n))
+        for node, around in normals.items():
+            move = step * np.array([rng.uniform(-1, 1) for _ in range(3)])
+            if around:
+                n = np.array(around)
+                if np.abs(n - n[0]).max() > 1e-9:
+                    continue
+                move -= move @ n[0] * n[0]
+            self.X[node] = self.X[node] + move
+        return self
 
     dimension = 3

@@ -3,8 +3,9 @@
 import numpy as np
 
 import motions
+import space_surfaces
 from motion_check import RESULTANT
-from space_zone import SpaceZoneCheck
+from space_zone import SpaceZoneCheck, unit
 from zone_check import Problem
 
 
@@ -35,15 +36,17 @@ class ObstacleCheck(SpaceZoneCheck):
         kind, numbers = self.zone.obstacle.split(": ")
         radius = float(numbers.split(",")[-1])
         if kind != "half space" and radius > 0:
-            rise = max(rise, 2 * self.own.face_size.max() ** 2 / (8 * radius))
+            diagonals = 1 if self.own.n in space_surfaces.TRIANGLES else 2
+            rise = max(rise, diagonals * self.own.face_size.max() ** 2 / (
+                8 * radius))
         return rise
 
     def slip(self, step):
         """On the material of the obstacle."""
         x = self.state.x[self.nodes]
         way = x - self.placed_before.at(self.placement.back(x))
-        n = self.master.normals(x)
-        jump = step[self.nodes] - way
+        n = unit(self.of_functions(self.master.normals(x)))
+        jump = self.of_functions(step[self.nodes] - way)
         return jump - np.einsum("ki,ki->k", jump, n)[:, None] * n, n
 
     def check_forces(self):

@@ -8,8 +8,11 @@ import elements
 import motions
 import surfaces
 
-# Cuts of a face along each side, by degree.
-CUTS = {1: 2, 2: 4}
+# Cuts of a face along each side, by its number of nodes; the corners of faces
+# around them, and those of 3 and 6 nodes, whose places have x, y >= 0, x + y <= 1.
+CUTS = {3: 1, 4: 2, 6: 4, 9: 4}
+RINGS = {3: [0, 1, 2], 6: [0, 1, 2], 4: [0, 1, 3, 2], 9: [0, 2, 8, 6]}
+TRIANGLES = (3, 6)
 # Pairs of points and triangles at a time.
 PAIRS = 200000
 # Of a face: facets that come so close to a place meet there.
@@ -20,8 +23,16 @@ RIM = 65
 STEPS = 6
 
 
-def grid(n):
+def grid(n, nodes):
     """Places of a face in rows, and the triangles between them."""
+    if nodes in TRIANGLES:
+        places = [(x / n, y / n) for y in range(n + 1) for x in range(n + 1 - y)]
+        at = {(round(n * x), round(n * y)): k for k, (x, y) in enumerate(places)}
+        return places, np.array(
+            [[at[x, y], at[x + 1, y], at[x, y + 1]] for x, y in at
+             if x + y < n] +
+            [[at[x + 1, y], at[x + 1, y + 1], at[x, y + 1]] for x, y in at
+             if x + y < n - 1])
     axis = np.linspace(-1, 1, n + 1)
     places = [(x, y) for y in axis for x in axis]
     at = np.arange((n + 1) ** 2).reshape(n + 1, n + 1)
@@ -30,13 +41,12 @@ def grid(n):
                                    np.stack([a, d, c], -1).reshape(-1, 3)])
 
 
-def degree_of(faces):
-    return 1 if faces.shape[1] == 4 else 2
-
-
-def shape_functions(places, degree):
-    """Those of faces at many places, (places, nodes), and their first and
-    second derivatives."""
+def shape_functions(places, n):
+    """Those of faces with n nodes at many places, (places, nodes), and their
+    first and second derivatives."""
+    if n in TRIANGLES:
+        return of_triangles(places, n)
+    degree = 1 if n == 4 else 2
     values, slopes, bends = ([] for _ in range(3))
     for x in places.T:
         one, zero = np.ones_like(x), np.zeros_like(x)
@@ -59,15 +69,42 @@ def shape_functions(places, degree):
                       np.stack([mixed, product(fx, by)], 2)], 3))
 
 
+def of_triangles(places, n):
+    c = np.concatenate([1 - places.sum(1, keepdims=True), places], 1)
+    slope = np.array([[-1, -1], [1, 0], [0, 1]], float)
+    flat = np.broadcast_to(slope, (len(c), 3, 2))
+    if n == 3:
+        return c, flat, np.zeros((len(c), 3, 2, 2))
+    a, b = np.array(elements.TRIANGLE).T
+    mixed = 4 * np.einsum("nd,ne->nde", slope[a], slope[b])
+    bends = np.concatenate([4 * np.einsum("nd,ne->nde", slope, slope),
+                            mixed + mixed.swapaxes(1, 2)])
+    return (np.concatenate([c * (2 * c - 1), 4 * c[:, a] * c[:, b]], 1),
+            np.concatenate([(4 * c[:, :, None] - 1) * slope,
+                            4 * (c[:, a, None] * slope[b] +
+                                 c[:, b, None] * slope[a])], 1),
+            np.broadcast_to(bends, (len(c), *bends.shape)))
+
+
+def within(places, n):
+    """The nearest places of the face, about."""
+    if n not in TRIANGLES:
+        return np.clip(places, -1, 1)
+    places = np.maximum(places, 0)
+    beyond = np.maximum(places.sum(1, keepdims=True) - 1, 0)
+    places = np.maximum(places - beyond / 2, 0)
+    return places / np.maximum(places.sum(1, keepdims=True), 1)
+
+
 class Facets:
     """The faces of a group, each with its normal away from its body."""
 
     def __init__(self, faces, x, cuts=None):
         self.faces = faces
-        degree = degree_of(faces)
-        places, triangles = grid(cuts or CUTS[degree])
-        self.degree, self.places = degree, np.array(places)
-        self.shapes = np.array([elements.tensor(p, degree)[0] for p in places])
+        n = self.n = faces.shape[1]
+        places, triangles = grid(cuts or CUTS[n], n)
+        self.places = np.array(places)
+        self.shapes = np.array([elements.face(p, n)[0] for p in places])
         self.x = x[faces]
         points = np.einsum("ca,fai->fci", self.shapes, self.x)
         corners = points[:, triangles].reshape(-1, 3, 3)
@@ -87,7 +124,8 @@ class Facets:
         self.face_area = np.linalg.norm(of_face, axis=1)
         self.face_normal = of_face / np.maximum(self.face_area,
                                                 1e-300)[:, None]
-        self.face_size = np.sqrt(self.face_area)
+        # Of a triangle with a right angle the longest side.
+        self.face_size = np.sqrt(self.face_area) * (1 + (n in TRIANGLES))
 
     def closest(self, points):
         """For each point: distance, triangle, foot, shape functions of the
@@ -110,7 +148,7 @@ class Facets:
                           self.places[self.triangles[t]])
         place = start.copy()
         for _ in range(STEPS):
-            N, dN, ddN = shape_functions(place, self.degree)
+            N, dN, ddN = shape_functions(place, self.n)
             off = points - np.einsum("pa,pai->pi", N, self.x[face])
             along = np.einsum("pad,pai->pdi", dN, self.x[face])
             bend = np.einsum("pade,pai->pdei", ddN, self.x[face])
@@ -120,14 +158,14 @@ class Facets:
             regular = np.abs(np.linalg.det(A)) > 1e-12 * self.face_size[
                 face] ** 4
             A[~regular], b[~regular] = np.eye(2), 0
-            place = np.clip(place + np.linalg.solve(A, b[:, :, None])[:, :, 0],
-                            -1, 1)
+            place = within(place + np.linalg.solve(A, b[:, :, None])[:, :, 0],
+                           self.n)
         distance = [np.linalg.norm(points - np.einsum(
-            "pa,pai->pi", shape_functions(at, self.degree)[0], self.x[face]),
+            "pa,pai->pi", shape_functions(at, self.n)[0], self.x[face]),
             axis=1) for at in (start, place)]
         worse = distance[1] > distance[0]
         place[worse] = start[worse]
-        return face, place, shape_functions(place, self.degree)[0]
+        return face, place, shape_functions(place, self.n)[0]
 
     def signed(self, points):
         """For each point: the foot on the face itself, and the distance, minus
@@ -135,7 +173,7 @@ class Facets:
         face, place, shapes = self.feet(points)
         foot = np.einsum("pa,pai->pi", shapes, self.x[face])
         along = np.einsum("pad,pai->dpi", shape_functions(
-            place, self.degree)[1], self.x[face])
+            place, self.n)[1], self.x[face])
         normal = np.cross(*along)
         normal *= np.sign(np.einsum("pi,pi->p", normal, self.face_normal[
             face]))[:, None]
@@ -145,19 +183,18 @@ class Facets:
 
     def rim(self):
         """Places along the edges that belong to one face only."""
-        n = round(self.faces.shape[1] ** 0.5)
-        grid_ = np.arange(n * n).reshape(n, n)
-        edges = np.concatenate([self.faces[:, side] for side in (
-            grid_[0], grid_[-1], grid_[:, 0], grid_[:, -1])])
-        of_face = np.tile(np.arange(len(self.faces)), 4)
-        _, first, count = np.unique(np.sort(edges[:, [0, -1]], axis=1), axis=0,
+        ring = RINGS[self.n]
+        ends = np.array([ring, ring[1:] + ring[:1]]).T
+        edges = np.concatenate([self.faces[:, pair] for pair in ends])
+        of_face = np.tile(np.arange(len(self.faces)), len(ring))
+        _, first, count = np.unique(np.sort(edges, axis=1), axis=0,
                                     return_index=True, return_counts=True)
-        places = np.linspace(-1, 1, RIM)
-        sides = [np.stack(p, 1) for p in (
-            (places, 0 * places - 1), (places, 0 * places + 1),
-            (0 * places - 1, places), (0 * places + 1, places))]
-        shapes = np.array([shape_functions(side, self.degree)[0]
-                           for side in sides])
+        corners = np.array([(0, 0), (1, 0), (0, 1)] if self.n in TRIANGLES else
+                           [(-1, -1), (1, -1), (1, 1), (-1, 1)], float)
+        along = np.linspace(0, 1, RIM)[:, None]
+        shapes = np.array([shape_functions(
+            (1 - along) * a + along * b, self.n)[0] for a, b in zip(
+                corners, np.roll(corners, -1, axis=0))])
         rim = first[count == 1]
         return np.einsum("esa,eai->esi", shapes[rim // len(self.faces)],
                          self.x[of_face[rim]]).reshape(-1, 3)
@@ -167,7 +204,10 @@ class Facets:
         nearer to it than the size of the face."""
         face, place, shapes = self.feet(points)
         foot = np.einsum("pa,pai->pi", shapes, self.x[face])
-        inside = (np.abs(place) < 1 - MEET).all(1)
+        if self.n in TRIANGLES:
+            inside = (place > MEET).all(1) & (place.sum(1) < 1 - MEET)
+        else:
+            inside = (np.abs(place) < 1 - MEET).all(1)
         near = np.linalg.norm(points - foot, axis=1) < self.face_size[face]
         return np.isin(np.arange(len(self.faces)), face[inside & near])
 
@@ -317,6 +357,6 @@ def master_of(model, zone, state):
 
 def samples(faces, x, n=4):
     """Points on each face of a group, (faces, points, 3)."""
-    shapes = np.array([elements.tensor(p, degree_of(faces))[0]
-                       for p in grid(n)[0]])
+    nodes = faces.shape[1]
+    shapes = np.array([elements.face(p, nodes)[0] for p in grid(n, nodes)[0]])
     return np.einsum("ca,fai->fci", shapes, x[faces])

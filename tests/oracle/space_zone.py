@@ -1,6 +1,8 @@
 """Forces and gaps of a contact zone in 3-D, seen on the deformed surfaces."""
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import numpy as np
+import scipy.sparse as sp
+import scipy.sparse.linalg as spl
 from scipy.optimize import nnls
 
 import elements
@@ -20,6 +22,9 @@ SLIVER = 0.05
 WEIGHTED = 0.05
 # Of the forces times the largest displacement: what feet of points may be off.
 LEVER = 0.01
+# The shape functions of vertices have the integral zero on triangles of 6 nodes:
+# they get this part of those of the sides that meet there.
+PART = 0.2
 
 
 def cone_angle(force, directions):
@@ -37,15 +42,39 @@ def unit(vectors):
                                                keepdims=True), 1e-300)
 
 
+def basis(n):
+    """The functions that dual ones are of, as combinations of the shape
+    functions of a face with n nodes."""
+    T = np.eye(n)
+    if n == 6:
+        T[3:, 3:] *= 1 - 2 * PART
+        for side, ends in enumerate(elements.TRIANGLE, 3):
+            T[ends, side] = PART
+    return T
+
+
+def to_functions(nodes, faces):
+    """The matrix that makes forces on the functions of these nodes of those on
+    the nodes; its inverse, transposed, makes the same of places."""
+    T = sp.identity(len(nodes), format="lil")
+    if faces.shape[1] == 6:
+        at = np.searchsorted(nodes, faces)
+        for side, ends in enumerate(elements.TRIANGLE, 3):
+            T[at[:, side], at[:, side]] = 1 - 2 * PART
+            for end in ends:
+                T[at[:, end], at[:, side]] = PART
+    return T.tocsc()
+
+
 class DualWeights:
     """The dual functions of the nodes of a slave, of what the master covers of
     each face: combinations of its shape functions, by D M^-1."""
 
     def __init__(self, check):
         self.nodes, self.faces = check.nodes, check.faces
-        degree = space_surfaces.degree_of(self.faces)
-        rule = elements.gauss_cube(POINTS, 2)
-        tables = [elements.tensor(place, degree) for place, _ in rule]
+        n = self.faces.shape[1]
+        rule = elements.face_rule(n, POINTS)
+        tables = [elements.face(place, n) for place, _ in rule]
         self.shapes = np.array([N for N, _ in tables])
         x = check.state.x[self.faces]
         self.points = np.einsum("qa,fai->fqi", self.shapes, x)
@@ -57,15 +86,20 @@ class DualWeights:
             area.shape)
         w = area * covered
         self.share = w.sum(1) / area.sum(1)
+        self.partly = check.partly(self.share)
         w[self.share < SLIVER] = 0
-        D = np.einsum("fq,qa->fa", w, self.shapes)
-        M = np.einsum("fq,qa,qb->fab", w, self.shapes, self.shapes)
+        B = self.shapes @ basis(n).T
+        D = np.einsum("fq,qa->fa", w, B)
+        M = np.einsum("fq,qa,qb->fab", w, B, B)
         inverse = np.linalg.pinv(M, rcond=1e-8, hermitian=True)
-        dual = np.einsum("fa,fab,qb->fqa", D, inverse, self.shapes)
+        dual = np.einsum("fa,fab,qb->fqa", D, inverse, B)
         self.w = w[:, :, None] * dual
         self.number = np.searchsorted(self.nodes, self.faces)
         self.D = np.zeros(len(self.nodes))
         np.add.at(self.D, self.number, D)
+        if n == 6:
+            # What is covered in part has linear functions.
+            self.share[self.partly] = 0
         # What all faces around are covered of.
         self.least = np.ones(len(self.nodes))
         np.minimum.at(self.least, self.number, self.share[:, None])
@@ -99,14 +133,17 @@ class SpaceZoneCheck:
         self.own = space_surfaces.Facets(self.faces, state.x)
         self.shared = shared
         self.weights = None
-        self.judged = ~shared[self.nodes] & ~state.held[self.nodes].any(1)
-        self.force = state.residual[self.nodes]
+        self.transform = to_functions(self.nodes, self.faces)
+        left_out = shared[self.nodes] | state.held[self.nodes].any(1)
+        self.judged = (abs(self.transform) @ left_out) == 0
+        self.force = self.transform @ state.residual[self.nodes]
         self.touching = self.gaps <= APART * self.slack
         self.lying = self.touching.sum(1) > 3
         self.around = [np.flatnonzero((self.faces == n).any(1))
                        for n in self.nodes]
         self.size = np.linalg.norm(self.force, axis=1)
-        noise = 10 * np.linalg.norm(state.error[self.nodes], axis=1)
+        noise = 10 * abs(self.transform) @ np.linalg.norm(
+            state.error[self.nodes], axis=1)
         self.counts = self.judged & (self.size > np.maximum(
             noise, COUNTS * max(self.size.max(), 1e-4 * state.scale)))
 
@@ -114,6 +151,12 @@ class SpaceZoneCheck:
         self.acting = self.force.copy()
         if self.rule == "mortar" and not zone.obstacle:
             self.take_together()
+
+    def partly(self, share):
+        """Faces that the master covers in part; strips narrower than the
+        distance of the points are seen by its rim."""
+        return (share > 0) & (share < 1) | self.own.crossed(
+            self.master.group.rim())
 
     def take_together(self):
         """What acts on a part of a face goes to all of its nodes: of degree 2
@@ -123,10 +166,7 @@ class SpaceZoneCheck:
         both is positive. The nodes of faces that the master covers in part are
         judged by their sum."""
         self.weights = DualWeights(self)
-        share = self.weights.share
-        # Strips narrower than the distance of the points are seen by the rim.
-        partly = (share > 0) & (share < 1) | self.own.crossed(
-            self.master.group.rim())
+        partly = self.weights.partly
         for nodes in connected(self.faces[partly]):
             together = np.isin(self.nodes, list(nodes))
             self.acting[together] = self.force[together].sum(0)
@@ -208,8 +248,9 @@ class SpaceZoneCheck:
     def check_penetration(self):
         allowed = PENETRATION[self.rule] * self.slack
         if self.rule == "nodal":
-            n = self.nodes[self.state.held[self.nodes].sum(1) < 3]
-            lowest = self.master.exact_gap(self.state.x[n]).min(initial=0)
+            gaps = self.of_functions(self.master.exact_gap(
+                self.state.x[self.nodes]))
+            lowest = gaps[self.state.held[self.nodes].sum(1) < 3].min(initial=0)
         else:
             # In the mean over a face, and at single places of it.
             deepest = min(self.gaps.min(), -self.depth_of_master())
@@ -263,9 +304,8 @@ class SpaceZoneCheck:
         yield 0.0, 0.0
         for group in self.surfaces():
             at = {}
-            corners = [0, 1, 3, 2] if group.faces.shape[1] == 4 else [0, 2, 8,
-                                                                      6]
-            for f, face in enumerate(group.faces[:, corners].tolist()):
+            corners = group.faces[:, space_surfaces.RINGS[group.n]]
+            for f, face in enumerate(corners.tolist()):
                 for a, b in zip(face, face[1:] + face[:1]):
                     at.setdefault(frozenset((a, b)), []).append(f)
             for pair in at.values():
@@ -289,7 +329,7 @@ class SpaceZoneCheck:
         for group in self.surfaces():
             turn = np.linalg.norm(np.cross(group.normal, group.face_normal[
                 group.face]), axis=1)
-            cuts = space_surfaces.CUTS[space_surfaces.degree_of(group.faces)]
+            cuts = space_surfaces.CUTS[group.n]
             deepest = max(deepest, (turn * group.face_size[
                 group.face]).max() / (4 * cuts ** 2))
         return deepest
@@ -339,6 +379,7 @@ class SpaceZoneCheck:
         own = list(-self.own.normal[np.isin(self.own.face, lying)])
         if self.rule == "mortar":
             own.append(self.mean_normal(where))
+            own += self.weighted_normals(k)
         own += self.around_master(where)
         found += [n for n in own if n @ reference > 0]
         return found, reference
@@ -347,6 +388,13 @@ class SpaceZoneCheck:
         """Along which the mortar discretization pushes a node: the mean of the
         normals of its faces, turned round."""
         return -unit(self.own.face_normal[where].sum(0))
+
+    def weighted_normals(self, k):
+        """The mean of the master's by the dual function of a node, which may be
+        outside of their range."""
+        if self.zone.obstacle or self.faces.shape[1] != 6:
+            return []
+        return [self.at_nodes(lambda nodes: self.state.x[nodes])[1][k]]
 
     def mean_normals(self):
         """Those of the nodes on which forces act."""
@@ -411,8 +459,9 @@ class SpaceZoneCheck:
         and the master's normal: at the nodes, or weighted around them by dual
         functions."""
         if self.rule == "nodal" or self.zone.obstacle:
-            x = self.state.x[self.nodes]
-            return self.jump(x, field(self.nodes), field)
+            jump, n = self.jump(self.state.x[self.nodes], field(self.nodes),
+                                field)
+            return self.of_functions(jump), unit(self.of_functions(n))
         if self.weights is None:
             self.weights = DualWeights(self)
         w = self.weights
@@ -420,6 +469,12 @@ class SpaceZoneCheck:
             "qa,fai->fqi", w.shapes, field(self.faces)).reshape(-1, 3),
             field)
         return w.of_nodes(jump), unit(w.of_nodes(n))
+
+    def of_functions(self, of_nodes):
+        """Gaps, places, ways of the functions that forces are on."""
+        if self.faces.shape[1] != 6:
+            return of_nodes
+        return spl.spsolve(self.transform.T.tocsc(), of_nodes)
 
     def jump(self, x, of_slave, field):
         if self.zone.obstacle:
@@ -433,6 +488,11 @@ class SpaceZoneCheck:
         """Friction acts against the slip, and what slips is under mu p."""
         first = int(self.scene.entries.get("Solution/Increments", 2)) == 1
         if self.zone.mu == 0 or before is None and not first:
+            return []
+        if any(group.n in space_surfaces.TRIANGLES for group in self.surfaces()
+               ) and self.facets() > self.slack:
+            # Polygons that are further off than anything moves: places that
+            # face each other depend on the direction that one looks along.
             return []
         step = self.state.u - (before.u if before is not None else 0)
         slip, n = self.slip(step)

@@ -33,10 +33,12 @@ from scene import RAMP, scaled
 from space_fem import SpaceModel
 from space_grids import brick
 from space_scene import SpaceScene, rotation
-from space_zone import cone_angle, unit
+from space_zone import DualWeights, SpaceZoneCheck, cone_angle, unit
 from test_fem import energy, expect
 
-ELEMENTS = ((1, None), (2, "serendipity"), (2, "free"))
+# Degree, and nodes in centres; of tetrahedra the latter say so.
+ELEMENTS = ((1, None), (2, "serendipity"), (2, "free"), (1, "tetrahedra"),
+            (2, "tetrahedra"))
 
 
 def body(degree, centre, kinematics, poisson=0.3, bend=0.0):
@@ -46,7 +48,10 @@ def body(degree, centre, kinematics, poisson=0.3, bend=0.0):
             z + bend * x * y))], {"B": (100.0, poisson)})
     scene.entries.update({"Element/Degree": degree,
                           "Solids/Kinematics": kinematics})
-    if centre:
+    if centre == "tetrahedra":
+        rng = random.Random(3)
+        scene.mesh.shaken("B", rng, 0.2).cut(["B"], rng)
+    elif centre:
         scene.entries["Element/Centre node"] = centre
     return scene
 
@@ -190,8 +195,18 @@ def cantilever():
 
 
 def geometry():
-    sides = brick("B", (0, 0, 0), (1, 1, 1), (2, 3, 2))
-    model = SpaceModel(SpaceScene("cube", 0, [sides], {"B": (1.0, 0.0)}))
+    """Of quadrangles and triangles, of either degree."""
+    for degree in (1, 2):
+        for tetrahedra in (False, True):
+            scene = SpaceScene("cube", 0, [brick(
+                "B", (0, 0, 0), (1, 1, 1), (2, 3, 2))], {"B": (1.0, 0.0)})
+            if tetrahedra:
+                scene.mesh.cut(["B"], random.Random(degree))
+            scene.entries["Element/Degree"] = degree
+            geometry_of(SpaceModel(scene))
+
+
+def geometry_of(model):
     cube = space_surfaces.Facets(model.complete(
         model.scene.mesh.boundary["B"]), model.X)
     p = np.random.default_rng(3).uniform(-0.5, 1.5, (400, 3))
@@ -218,11 +233,18 @@ def geometry():
 def bent_face():
     """Gaps of a bent face, which has chords; and faces that a rim passes over,
     however narrow the strip is that it cuts off."""
+    for tetrahedra in (False, True):
+        bent_faces(tetrahedra)
+
+
+def bent_faces(tetrahedra):
     def block(low, side, n):
         scene = SpaceScene("face", 0, [brick(
             "B", low, (low[0] + side, low[1] + side, low[2] + 1), (n, n, 1))],
             {"B": (1.0, 0.0)})
         scene.entries["Element/Degree"] = 2
+        if tetrahedra:
+            scene.mesh.cut(["B"], random.Random(1))
         return SpaceModel(scene.contact("B_below", "B_above", 0.0))
 
     model = block((0, 0, 0), 2, 2)
@@ -249,9 +271,34 @@ def bent_face():
                              (1.001, 1.999, [4]), (1, 2.001, [5, 7, 8])):
         block_ = block((low, low, 1.0001), high - low, 1)
         rim = space_surfaces.Facets(block_.lines["B_below"], block_.X).rim()
-        found = list(np.flatnonzero(ground.crossed(rim)))
+        # Two triangles of each quadrangle, of which one has most of a strip.
+        found = list(np.unique(np.flatnonzero(ground.crossed(rim)) //
+                               (1 + tetrahedra)))
         expect("faces that a rim from %g to %g passes over" % (low, high),
                found == faces, str(found))
+
+
+def functions():
+    """Under a uniform pressure vertices of triangles of 6 nodes have no force,
+    their functions have; dual functions weight a field of the slave by them."""
+    scene = pressed_block()
+    scene.mesh.cut(["Up"], random.Random(1))
+    scene.entries["Element/Degree"] = 2
+    scene.rule = "mortar"
+    model = SpaceModel(scene.load("Pressure", "Up_below", 1.0))
+    u = 0 * model.X
+    zone = SpaceZoneCheck(scene, model, check.State(model, u, 1.0, np.full(
+        len(u), 1e-16)), scene.zones[0], 0.01, np.zeros(len(u), bool))
+    f = -model.loads["Pressure"][zone.nodes, 2]
+    force = zone.transform @ f
+    expect("forces on functions", abs(f).min() < 1e-12 < 0.01 < -force.max() and
+           abs(force.sum() + 4) < 1e-12, "%.2g %.2g" % (f.max(), force.max()))
+    field = np.random.default_rng(6).standard_normal(u.shape)
+    w = DualWeights(zone)
+    off = np.abs(w.of_nodes(np.einsum(
+        "qa,fai->fqi", w.shapes, field[w.faces]).reshape(-1, 3)) -
+        zone.of_functions(field[zone.nodes])).max()
+    expect("dual functions weight places", off < 1e-12, "%.1e" % off)
 
 
 # Damage.
@@ -471,7 +518,7 @@ def turned():
 
 def scenes():
     """Every kind makes scenes, the same ones each time, whose mesh is whole."""
-    for kind in oracle.SPACE:
+    for kind in (*oracle.SPACE, *oracle.TETRAHEDRA):
         texts = []
         for _ in range(2):
             scene = oracle.make(kind, 3)
@@ -482,6 +529,6 @@ def scenes():
 
 if __name__ == "__main__":
     for test in (derivatives, patch, laws, rigid, bar, cantilever, geometry,
-                 bent_face, damage, obstacle_damage, turned, scenes):
+                 bent_face, functions, damage, obstacle_damage, turned, scenes):
         test()
     sys.exit(test_fem.failures > 0)

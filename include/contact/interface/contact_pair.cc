@@ -196,8 +196,6 @@ namespace Contact
     const bool is_mortar =
       master &&
       parameters.discretization == Parameters::ContactDiscretization::mortar;
-    if (master && !is_mortar)
-      check_nodal_slave(slave, parameters);
     if (is_mortar && !tied)
       excluded.merge(nodes_held_with_master(slave, *master, discretization));
     // Over a ring, the shape function of degree 2 of a node on the axis has the

@@ -91,7 +91,7 @@ namespace Contact
   {
     PairingChange<3> change;
     const double     round_off = 1e-10;
-    if (!point.facing || point.projection_is_clipped)
+    if (!point.facing || point.projection_is_clipped || point.n_slave_nodes > 1)
       return change;
     const SurfaceFacet<3> &facet = master.facets[point.master_facet];
     if (facet.kind->outwardness(point.master_xi) > 1 - round_off)

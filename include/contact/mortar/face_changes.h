@@ -46,7 +46,8 @@ namespace Contact
    * master facet: that slides by d_y = d_u_slave - d_u_master, and the normal
    * turns with the facet and its curvature,
    *   d_n = -sum_a d_a (n . (d_u_master,a + sum_b x,ab d_b . d_y)).
-   * None at the edges of the facet.
+   * None at the edges of the facet, and none of a point of several nodes, each
+   * of which slides by itself.
    */
   PairingChange<3> change_of_projection(const ContactPoint<3> &point,
                                         const Surface<3>      &master,

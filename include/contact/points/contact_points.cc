@@ -370,7 +370,7 @@ namespace Contact
     point.master_xi    = projection.xi;
 
     point.keep_nodes(point.n_slave_nodes);
-    face_master(point, projection, master, discretization, u);
+    face_master(point, projection, directions, master, discretization, u);
     skip_where_held(point, discretization, u);
     point.has_no_free_tangent = has_no_free_tangent(point, discretization);
   }

@@ -186,14 +186,18 @@ namespace Contact
                         const GhostedVector          &u);
 
   /// The master side of a point at its projection: nodes and coefficients, with
-  /// their derivatives in 2-D, normal and tangents.
+  /// their derivatives in 2-D, normal and tangents. In 3-D a point of several
+  /// nodes has the nodes that these face in the @p directions, with the
+  /// coefficients of both.
   void face_master(ContactPoint<2>            &point,
                    const Projection<2>        &projection,
+                   const NormalCone<2>        &directions,
                    const DeformedSurface<2>   &master,
                    const DiscretizedBodies<2> &discretization,
                    const GhostedVector        &u);
   void face_master(ContactPoint<3>            &point,
                    const Projection<3>        &projection,
+                   const NormalCone<3>        &directions,
                    const DeformedSurface<3>   &master,
                    const DiscretizedBodies<3> &discretization,
                    const GhostedVector        &u);

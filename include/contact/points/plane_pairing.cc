@@ -162,8 +162,9 @@ namespace Contact
   // At a vertex that belongs to two edges alike the tangent is the sum of those
   // of both. The body lies to the left of the edge: n is along, turned by -90
   // degrees, and along is n turned by +90.
-  void face_master(ContactPoint<2>          &point,
-                   const Projection<2>      &projection,
+  void face_master(ContactPoint<2>     &point,
+                   const Projection<2> &projection,
+                   const NormalCone<2> &,
                    const DeformedSurface<2> &master,
                    const DiscretizedBodies<2> &,
                    const GhostedVector &)

@@ -225,29 +225,72 @@ namespace Contact
 
 
 
+  namespace
+  {
+    /// The place of the master that lies along @p normal from @p x, closest at
+    /// first: each pass goes on where the line reaches the plane there, which
+    /// is off by the square of the slope. Beyond an end there may be none.
+    Projection<3> find_along(const Tensor<1, 3>       &normal,
+                             Point<3>                  x,
+                             const NormalCone<3>      &directions,
+                             const DeformedSurface<3> &now)
+    {
+      const unsigned int max_passes = 8;
+      const double       round_off  = 1e-13;
+      Projection<3>      foot       = now.closest_facing(x, directions);
+      for (unsigned int pass = 1; pass < max_passes; ++pass)
+        {
+          const Tensor<1, 3> way   = now.position(foot.facet, foot.xi) - x;
+          const Tensor<1, 3> along = (way * normal) * normal;
+          if ((way - along).norm() <
+              round_off * now.surface.reference_length(foot.facet))
+            break;
+          x += along;
+          foot = now.closest_facing(x, directions);
+        }
+      return foot;
+    }
+  } // namespace
+
+
+
   // Where several facets have the same closest point, which of them was found
   // first must not matter: the normal is the mean of theirs.
   void face_master(ContactPoint<3>            &point,
                    const Projection<3>        &projection,
+                   const NormalCone<3>        &directions,
                    const DeformedSurface<3>   &now,
                    const DiscretizedBodies<3> &discretization,
                    const GhostedVector        &u)
   {
-    const Surface<3> &master              = now.surface;
-    point.projection                      = Point<3>();
-    const SurfaceFacet<3>         &facet  = master.facets[projection.facet];
-    const auto                     values = facet.kind->values(projection.xi);
+    const Surface<3> &master = now.surface;
+    Tensor<1, 3>      normal = now.normal(projection.facet, projection.xi);
+    for (const auto &[twin, xi] : projection.twins)
+      normal += now.normal(twin, xi);
+    point.normal     = normal / normal.norm();
+    point.projection = Point<3>();
     std::map<unsigned int, double> parts;
-    for (unsigned int a = 0; a < facet.n_nodes(); ++a)
-      if (values[a] != 0)
-        add_parts(master, facet.nodes[a], values[a], parts, point.projection);
+    for (unsigned int s = 0; s < point.n_slave_nodes; ++s)
+      {
+        Point<3> x = point.X(s);
+        for (unsigned int i = 0; i < 3; ++i)
+          x[i] += u[point.dofs(s)[i]];
+        const auto             foot   = point.n_slave_nodes == 1
+                                          ? projection
+                                          : find_along(point.normal, x, directions, now);
+        const SurfaceFacet<3> &facet  = master.facets[foot.facet];
+        const auto             values = facet.kind->values(foot.xi);
+        for (unsigned int a = 0; a < facet.n_nodes(); ++a)
+          if (values[a] != 0)
+            add_parts(master,
+                      facet.nodes[a],
+                      point.C[s] * values[a],
+                      parts,
+                      point.projection);
+      }
     for (const auto &[node, part] : parts)
       point.add_node(master.nodes[node], -part);
 
-    Tensor<1, 3> normal = now.normal(projection.facet, projection.xi);
-    for (const auto &[twin, xi] : projection.twins)
-      normal += now.normal(twin, xi);
-    point.normal = normal / normal.norm();
     make_symmetric(point,
                    discretization,
                    u,

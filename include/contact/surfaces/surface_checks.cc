@@ -192,26 +192,6 @@ namespace Contact
 
 
 
-  // A pressure at a vertex alone does no work there.
-  void check_nodal_slave(const Surface<3>          &slave,
-                         const Parameters::Contact &parameters)
-  {
-    for (const SurfaceFacet<3> &facet : slave.facets)
-      if (facet.kind->part_of_sides > 0)
-        throw InputError("the slave '" + parameters.slave +
-                           "' has triangles of 6 nodes, whose vertices take no "
-                           "force: a pressure for each node is not determined",
-                         parameters.section() + "/Slave",
-                         "take the mortar discretization, or this surface as "
-                         "master");
-  }
-
-  void check_nodal_slave(const Surface<2> &, const Parameters::Contact &)
-  {
-  }
-
-
-
   template<int dim>
   bool overlap(const Surface<dim> &a, const Surface<dim> &b)
   {

@@ -36,12 +36,6 @@ namespace Contact
                   const DiscretizedBodies<dim> &discretization,
                   const Parameters::Contact    &parameters);
 
-  /// Check that each node of a slave with nodal points takes a force.
-  void check_nodal_slave(const Surface<2>          &slave,
-                         const Parameters::Contact &parameters);
-  void check_nodal_slave(const Surface<3>          &slave,
-                         const Parameters::Contact &parameters);
-
   /// Whether two surfaces have a facet in common.
   template<int dim>
   bool overlap(const Surface<dim> &a, const Surface<dim> &b);

@@ -180,13 +180,10 @@ namespace Contact
     Solver &of_kind = solvers[first ? 0 : 1];
     if (!of_kind.solver)
       {
-        const auto modes = solver_kind == Parameters::SolverKind::amg
-                             ? rigid_modes(discretization)
-                             : DefiniteSolver::Modes();
-        of_kind.solver   = DefiniteSolver::create(solver_kind,
+        of_kind.solver = DefiniteSolver::create(solver_kind,
                                                 symmetric,
                                                 elasticity.is_hyperelastic(),
-                                                modes,
+                                                coarse_space(),
                                                 discretization.counters);
       }
     of_kind.solver->set_matrix(matrix,
@@ -195,6 +192,27 @@ namespace Contact
                                elimination.eliminated_dofs());
     of_kind.pattern_is_new = false;
     current                = of_kind.solver.get();
+  }
+
+
+
+  template<int dim>
+  DefiniteSolver::CoarseSpace AssembledSystem<dim>::coarse_space()
+  {
+    DefiniteSolver::CoarseSpace space;
+    if (solver_kind != Parameters::SolverKind::amg)
+      return space;
+    space.modes = rigid_modes(discretization);
+    if (discretization.degree == 2)
+      {
+        transfer = std::make_unique<DegreeTransfer<dim>>(discretization);
+        for (auto &mode : space.modes)
+          mode = transfer->restricted(mode);
+        space.interpolation = [this] {
+          return transfer->interpolation(elimination.constraints());
+        };
+      }
+    return space;
   }
 
 

@@ -11,6 +11,7 @@
 
 #include "solid/elasticity.h"
 #include "solvers/condensed/condensed_system.h"
+#include "solvers/condensed/degree_transfer.h"
 #include "solvers/condensed/interface_couplings.h"
 #include "solvers/direct/definite_solver.h"
 
@@ -87,6 +88,8 @@ namespace Contact
                                const double         tolerance,
                                GhostedVector       &x) override;
 
+    DefiniteSolver::CoarseSpace coarse_space();
+
     void reset_matrix(const DynamicSparsityPattern &pattern);
     void add_interface_couplings(DynamicSparsityPattern &pattern) const;
     void assemble_all(const GhostedVector  &solution,
@@ -114,9 +117,10 @@ namespace Contact
       std::unique_ptr<DefiniteSolver> solver; // when it is first needed
       bool                            pattern_is_new = true;
     };
-    const Parameters::SolverKind solver_kind;
-    std::array<Solver, 2>        solvers;
-    DefiniteSolver              *current = nullptr; // the owner of the matrix
+    const Parameters::SolverKind         solver_kind;
+    std::unique_ptr<DegreeTransfer<dim>> transfer; // of AMG at degree 2
+    std::array<Solver, 2>                solvers;
+    DefiniteSolver *current = nullptr; // the owner of the matrix
   };
 } // namespace Contact
 

@@ -20,11 +20,13 @@
 
 namespace Contact
 {
-  AlgebraicMultigrid::AlgebraicMultigrid(const Modes &modes, Counters &counters)
+  AlgebraicMultigrid::AlgebraicMultigrid(const CoarseSpace &coarse_space,
+                                         Counters          &counters)
     : DefiniteSolver(counters)
-    , n_modes(modes.size())
+    , coarse_space(coarse_space)
+    , n_modes(coarse_space.modes.size())
   {
-    for (const auto &mode : modes)
+    for (const auto &mode : coarse_space.modes)
       null_space.insert(null_space.end(), mode.begin(), mode.end());
   }
 
@@ -187,13 +189,16 @@ namespace Contact
     ++counters.symbolic_factorizations;
     ++counters.numeric_factorizations;
     preconditioner.clear();
+    if (coarse_space.interpolation)
+      preconditioner.add_degree(*matrix, coarse_space.interpolation());
+    const Matrix &lowest = preconditioner.lowest(*matrix);
     TrilinosWrappers::PreconditionAMG::AdditionalData data;
     data.elliptic              = true;
     data.smoother_sweeps       = 2;
     data.aggregation_threshold = 0;
     Teuchos::ParameterList              parameters;
     std::unique_ptr<Epetra_MultiVector> no_modes;
-    data.set_parameters(parameters, no_modes, *matrix);
+    data.set_parameters(parameters, no_modes, lowest);
 
     parameters.set("PDE equations", static_cast<int>(n_components()));
     parameters.set("null space: type", "pre-computed");
@@ -201,7 +206,7 @@ namespace Contact
     parameters.set("null space: dimension", static_cast<int>(n_modes));
     parameters.set("null space: vectors", null_space.data());
     parameters.set("low memory usage", true);
-    preconditioner.initialize(*matrix, parameters);
+    preconditioner.initialize(lowest, parameters);
     is_new              = true;
     eliminated_when_new = eliminated;
     symmetric_when_new  = symmetric;

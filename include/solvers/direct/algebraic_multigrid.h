@@ -7,11 +7,11 @@
 #define contact_algebraic_multigrid_h
 
 #include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/trilinos_precondition.h>
 
 #include <optional>
 
 #include "solvers/direct/definite_solver.h"
+#include "solvers/direct/degree_cycle.h"
 
 namespace Contact
 {
@@ -19,16 +19,16 @@ namespace Contact
 
   /**
    * Conjugate gradients, or GMRES where the matrix is unsymmetric, with
-   * smoothed aggregation. A hierarchy is kept, also for a matrix with other
-   * values, until it has become clearly worse than it was when it was new and
-   * has cost more iterations than a new one would, or is about to: a
-   * constraint more or less costs the conjugate gradients about one
-   * iteration.
+   * smoothed aggregation, of degree 2 below a DegreeCycle. A hierarchy is kept,
+   * also for a matrix with other values, until it has become clearly worse than
+   * it was when it was new and has cost more iterations than a new one would,
+   * or is about to: a constraint more or less costs the conjugate gradients
+   * about one iteration.
    */
   class AlgebraicMultigrid : public DefiniteSolver
   {
   public:
-    AlgebraicMultigrid(const Modes &modes, Counters &counters);
+    AlgebraicMultigrid(const CoarseSpace &coarse_space, Counters &counters);
 
     void set_matrix(const Matrix &matrix,
                     const bool    symmetric,
@@ -64,14 +64,15 @@ namespace Contact
 
     static constexpr unsigned int max_iterations = 500;
 
-    const unsigned int                n_modes;
-    std::vector<double>               null_space; // one mode after the other
-    const Matrix                     *matrix = nullptr;
-    TrilinosWrappers::PreconditionAMG preconditioner;
-    bool                              is_new = false;
-    bool   symmetric = true, symmetric_when_new = true;
-    double per_digit = 0, per_digit_when_new = 0;
-    Dofs   eliminated, eliminated_when_new;
+    const CoarseSpace   coarse_space;
+    const unsigned int  n_modes;
+    std::vector<double> null_space; // one mode after the other
+    const Matrix       *matrix = nullptr;
+    DegreeCycle         preconditioner;
+    bool                is_new    = false;
+    bool                symmetric = true, symmetric_when_new = true;
+    double              per_digit = 0, per_digit_when_new = 0;
+    Dofs                eliminated, eliminated_when_new;
 
     /// Of the present matrix, once somebody has asked.
     std::optional<bool> indefinite = false;

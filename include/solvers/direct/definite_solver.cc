@@ -335,7 +335,7 @@ namespace Contact
   DefiniteSolver::create(const Parameters::SolverKind kind,
                          const bool                   symmetric,
                          const bool                   may_be_indefinite,
-                         const Modes                 &modes,
+                         const CoarseSpace           &coarse_space,
                          Counters                    &counters)
   {
     switch (kind)
@@ -347,7 +347,7 @@ namespace Contact
         case Parameters::SolverKind::mumps:
           return std::make_unique<Mumps>(counters);
         case Parameters::SolverKind::amg:
-          return std::make_unique<AlgebraicMultigrid>(modes, counters);
+          return std::make_unique<AlgebraicMultigrid>(coarse_space, counters);
         case Parameters::SolverKind::automatic:
         case Parameters::SolverKind::gmg: // has no matrix
         case Parameters::SolverKind::umfpack:

@@ -9,6 +9,7 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -30,24 +31,33 @@ namespace Contact
     using Matrix = TrilinosWrappers::SparseMatrix;
     using Vector = TrilinosWrappers::MPI::Vector;
 
-    /// The rigid motions of the bodies, each by the values of the unknowns of
-    /// this rank.
-    using Modes = std::vector<std::vector<double>>;
+    /// The space of the linear elements, which multigrid works in.
+    struct CoarseSpace
+    {
+      /// The rigid motions of the bodies, each by the values of the unknowns of
+      /// this rank.
+      std::vector<std::vector<double>> modes;
+
+      /// Makes the interpolation in the space of the matrix, as its constraints
+      /// are now; none, if these are the linear elements. Collective.
+      std::function<std::unique_ptr<Matrix>()> interpolation;
+    };
 
     /**
      * CHOLMOD (one rank), MUMPS, or AMG: conjugate gradients with Trilinos'
-     * smoothed aggregation, which takes the @p modes as near null space, and
-     * alone needs them. For matrices that are not @p symmetric, but for the
-     * rows at the interface alone: UMFPACK instead of CHOLMOD, and GMRES with
-     * the same multigrid. A matrix that is not definite, if it @p
-     * may_be_indefinite, CHOLMOD leaves to UMFPACK. Operations are counted by
+     * smoothed aggregation, which takes the modes of the @p coarse_space as
+     * near null space, and alone needs it. For matrices that are not @p
+     * symmetric, but for the rows at the interface alone: UMFPACK instead of
+     * CHOLMOD, and GMRES with the same multigrid. A matrix that is not
+     * definite, if it @p may_be_indefinite, CHOLMOD leaves to UMFPACK.
+     * Operations are counted by
      * @p counters.
      */
     static std::unique_ptr<DefiniteSolver>
     create(const Parameters::SolverKind kind,
            const bool                   symmetric,
            const bool                   may_be_indefinite,
-           const Modes                 &modes,
+           const CoarseSpace           &coarse_space,
            Counters                    &counters);
 
     /**
