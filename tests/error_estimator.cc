@@ -136,8 +136,13 @@ namespace
   // energy.
   double true_error(const Bodies &bodies, const GhostedVector &u)
   {
-    const hp::QCollection<2> quadrature(QGauss<2>(5), QGaussSimplex<2>(4));
-    hp::FEValues<2>          hp_fe_values(bodies.discretization.mapping,
+    hp::QCollection<2> quadrature;
+    for (unsigned int e = 0; e < bodies.discretization.fe.size(); ++e)
+      if (bodies.discretization.fe[e].reference_cell().is_hyper_cube())
+        quadrature.push_back(QGauss<2>(5));
+      else
+        quadrature.push_back(QGaussSimplex<2>(4));
+    hp::FEValues<2> hp_fe_values(bodies.discretization.mapping,
                                  bodies.discretization.fe,
                                  quadrature,
                                  update_gradients | update_JxW_values |

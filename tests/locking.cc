@@ -117,7 +117,12 @@ namespace
     const double exact_mean = 2 * (1 + nu) / 3 * A;
     const auto   stresses   = bodies.elasticity->stresses(u);
 
-    const hp::QCollection<2>         fine(QGauss<2>(4), QGaussSimplex<2>(3));
+    hp::QCollection<2> fine;
+    for (unsigned int e = 0; e < bodies.discretization.fe.size(); ++e)
+      if (bodies.discretization.fe[e].reference_cell().is_hyper_cube())
+        fine.push_back(QGauss<2>(4));
+      else
+        fine.push_back(QGaussSimplex<2>(3));
     hp::FEValues<2>                  of_fields(bodies.discretization.mapping,
                               bodies.discretization.fe,
                               fine,

@@ -342,7 +342,7 @@ def glued():
     found, said = solved("tetrahedra beside such", "glued", entries)
     check("they are one body", abs(abs(found["R"]) / 2 - 1) < 1e-12, found)
     scene([[turn[c] for c in path] for path in fits], fits)
-    refusal("tetrahedra with crossed diagonals", ("cut open at", "(1, ",
+    refusal("tetrahedra with crossed diagonals", ("cut open", "(1, ",
                                                   "Transfinite"), entries)
     mesh = Cells()
     mesh.fill("A", (1, 1, 2), lambda x, y, z: (x, y, z), "hp")

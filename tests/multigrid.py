@@ -4,7 +4,7 @@
 
 Proves that
 
-- it has the probes of CHOLMOD to 1e-8: without and with friction, with large
+- it has the probes of CHOLMOD to 1e-8, on tetrahedra as well: without and with friction, with large
   displacements, with hanging nodes in 2-D and at the surfaces of contact in
   3-D, at both degrees, on one process and on several;
 - its conjugate gradients take at most 12 iterations a solve, on coarse meshes and
@@ -29,6 +29,7 @@ import pathlib
 import sys
 
 from block_scenes import Mesh, check, failures, run, solve
+from tetrahedra_scenes import Solid
 
 PARAMETERS = pathlib.Path(sys.argv[2])
 EXACT = ("Solution/Newton tolerance=1e-12", "Solution/Geometry tolerance=1e-9",
@@ -138,6 +139,45 @@ for label, mesh, stiffness, levels in (
         check(f"{label}: few iterations", iterations(results[1]) <= 12,
               f"{iterations(results[1]):.1f}")
 
+
+
+def tetrahedra(what, degree, **more):
+    """A block with a round bottom, pressed askew on a flat one."""
+    mesh = Solid()
+    mesh.block("Up", (2, 2, 2), lambda r, s, t: (
+        6 * r, 6 * s, (1 - t) * (r * r + s * s) + 6 * t), points=True)
+    mesh.block("Low", (3, 3, 3), lambda r, s, t: (8 * r - 1, 8 * s - 1, -6 * t))
+    mesh.write("tetrahedra")
+    results = []
+    for solver in "CHOLMOD", "GMG":
+        status, said, summary = run("tetrahedra", {
+            "Mesh/File": "tetrahedra.msh", "Element/Degree": degree,
+            "Solids/Kinematics": "small strain",
+            "Solids/Young's modulus": "Up: 3000, Low: 1000",
+            "Solids/Poisson's ratio": "Up: 0.3, Low: 0.3",
+            "Boundary conditions/Displacement x": "Low_z1: 0, Up_z1: 0.01",
+            "Boundary conditions/Displacement y": "Low_z1: 0, Up_z1: 0",
+            "Boundary conditions/Displacement z": "Low_z1: 0, Up_z1: -0.2",
+            "Contact/Slave": "Up_z0", "Contact/Master": "Low_z0",
+            "Refinement/Levels": 3 - degree, "Solution/Linear solver": solver,
+            "Solution/Newton tolerance": 1e-12, "Solution/Increments": 1,
+            "Probes/Probes": "F: reaction z, Low_z1; u: displacement z, Up_100",
+            **more})
+        check(f"tetrahedra, {what}, {solver}: converged", status == 0,
+              said[-800:] if status else "")
+        results.append(summary)
+    if all(results):
+        compare(f"tetrahedra, {what}", *results, displacement=0.2)
+        check(f"tetrahedra, {what}: few iterations", iterations(results[1]) <= 12,
+              f"{iterations(results[1]):.1f}")
+
+
+tetrahedra("degree 2", 2)
+tetrahedra("degree 1", 1)
+tetrahedra("friction", 2, **{"Contact/Friction coefficient": 0.2})
+tetrahedra("large displacement", 2,
+           **{"Solids/Kinematics": "large displacement"})
+tetrahedra("glue", 2, **{"Contact/Tied": "true"})
 
 
 def column(part, solver, ranks=1):

@@ -33,9 +33,12 @@ namespace Contact
     hp::QCollection<dim>
     quadratures_of_squares(const hp::QCollection<dim> &rules)
     {
-      if (rules[1].size() == 1)
-        return hp::QCollection<dim>(rules[0], QGaussSimplex<dim>(2));
-      return rules;
+      hp::QCollection<dim> finer;
+      for (unsigned int k = 0; k < rules.size(); ++k)
+        finer.push_back(rules[k].size() == 1
+                          ? Quadrature<dim>(QGaussSimplex<dim>(2))
+                          : rules[k]);
+      return finer;
     }
 
 

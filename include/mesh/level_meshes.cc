@@ -56,6 +56,8 @@ namespace Contact
   template<int dim>
   void LevelMeshes<dim>::keep(const Triangulation<dim> &mesh)
   {
+    if (mesh.n_global_levels() == 1 && mesh.all_reference_cells_are_simplex())
+      are_known = true;
     if (are_known)
       coarser.push_back(copy_of(mesh));
   }

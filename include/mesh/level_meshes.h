@@ -21,7 +21,8 @@ namespace Contact
    * copy of the finest mesh. After that a mesh which is refined in all cells is
    * kept as the next of them: a copy of a quarter (in 3-D an eighth) of the
    * new mesh instead of all of it, and nothing has to be coarsened, which on
-   * several ranks takes as long as on one.
+   * several ranks takes as long as on one. Of triangles and tetrahedra, which
+   * deal.II does not coarsen, all meshes are kept.
    */
   template<int dim>
   class LevelMeshes
@@ -34,7 +35,8 @@ namespace Contact
     List of(const Triangulation<dim> &finest) const;
 
     /// Keep the mesh, of which all cells are about to be refined, if there are
-    /// meshes already. Collective.
+    /// meshes already, or this is the first one and has no others.
+    /// Collective.
     void keep(const Triangulation<dim> &mesh);
 
     /// Another mesh is to come.

@@ -18,9 +18,9 @@
 #include "base/errors.h"
 #include "base/string_utilities.h"
 #include "mesh/coarse_mesh.h"
-#include "mesh/crossed_diagonals.h"
 #include "mesh/distributed_mesh.h"
 #include "mesh/groups.h"
+#include "mesh/joined_cells.h"
 #include "mesh/placement.h"
 #include "mesh/round_boundaries.h"
 
@@ -279,7 +279,7 @@ namespace Contact
     triangulation.create_triangulation(coarse.vertices,
                                        coarse.cells,
                                        coarse.faces);
-    check_diagonals(triangulation, msh.name);
+    check_joined_cells(triangulation, boundaries, msh.name);
     pieces.find(triangulation);
     if (!parameters.mid_side_nodes)
       coarse.mid_sides.clear();
@@ -324,7 +324,11 @@ namespace Contact
                          " cells, more than there are numbers for",
                        "entry 'Mesh/Refinements'",
                        "refine less often");
-    triangulation.refine_global(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        levels.keep(triangulation);
+        triangulation.refine_global(1);
+      }
   }
 
 

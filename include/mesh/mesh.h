@@ -148,6 +148,16 @@ namespace Contact
       return triangulation.all_reference_cells_are_hyper_cube();
     }
 
+    bool has_simplices() const
+    {
+      return !has_only_hypercubes();
+    }
+
+    bool has_hypercubes() const
+    {
+      return !triangulation.all_reference_cells_are_simplex();
+    }
+
     /// Whether this rank has the whole mesh.
     bool is_complete() const;
 

@@ -140,6 +140,20 @@ namespace Contact
                          : Utilities::pow(3, dim);
     }
 
+    /// The numbers of nodes of the kinds of cells, as in "20 and 10".
+    template<int dim>
+    std::string nodes_of_elements(const Discretization<dim> &discretization)
+    {
+      std::string text;
+      for (unsigned int e = 0; e < discretization.fe.size(); ++e)
+        text +=
+          (e == 0 ? "" : " and ") +
+          std::to_string(discretization.fe[e].reference_cell().is_hyper_cube()
+                           ? nodes_of_element<dim>(discretization.serendipity)
+                           : discretization.fe[e].n_dofs_per_cell() / dim);
+      return text;
+    }
+
 
 
     template<int dim>
@@ -162,10 +176,7 @@ namespace Contact
          parameters.element.degree == 1
            ? std::string("linear") +
                (has_modes ? ", with incompatible modes" : "")
-           : "quadratic, " +
-               std::to_string(
-                 nodes_of_element<dim>(discretization.serendipity)) +
-               " nodes",
+           : "quadratic, " + nodes_of_elements(discretization) + " nodes",
          std::to_string(discretization.dof_handler.n_dofs()) + " displacements",
          has_modes ? "Element/Degree, Solids/Incompatible modes"
                    : "Element/Degree"}};

@@ -86,9 +86,11 @@ namespace Contact
     /// The first nodes are the corners.
     unsigned int n_corners() const
     {
-      if (dim == 3)
-        return 8;
-      return n_nodes() % 3 == 0 && n_nodes() < 9 ? 3 : 4;
+      const unsigned int of_simplex = dim + 1;
+      return n_nodes() == of_simplex ||
+                 n_nodes() == of_simplex * (of_simplex + 1) / 2
+               ? of_simplex
+               : GeometryInfo<dim>::vertices_per_cell;
     }
   };
 

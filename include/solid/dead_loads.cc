@@ -156,8 +156,8 @@ namespace Contact
 
     hp::FEFaceValues<dim> hp_values(discretization.mapping,
                                     discretization.fe,
-                                    make_face_quadrature<dim>(
-                                      discretization.degree),
+                                    make_face_quadrature(discretization.mesh,
+                                                         discretization.degree),
                                     update_values | update_JxW_values |
                                       update_quadrature_points |
                                       update_normal_vectors);
@@ -191,9 +191,12 @@ namespace Contact
   DeadLoads<dim>::integrate_body(const types::material_id body,
                                  const BodyForceField    &force) const
   {
-    const hp::QCollection<dim> quadrature(
-      QGauss<dim>(discretization.degree + 1),
-      QGaussSimplex<dim>(discretization.degree + 1));
+    hp::QCollection<dim> quadrature;
+    for (unsigned int k = 0; k < discretization.fe.size(); ++k)
+      quadrature.push_back(
+        discretization.fe[k]
+          .reference_cell()
+          .template get_gauss_type_quadrature<dim>(discretization.degree + 1));
     hp::FEValues<dim> hp_values(discretization.mapping,
                                 discretization.fe,
                                 quadrature,

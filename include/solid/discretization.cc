@@ -64,7 +64,7 @@ namespace Contact
                                       const MPI_Comm         communicator)
     : DiscretizedBodies<dim>(own_dof_handler,
                              own_constraints,
-                             make_mapping<dim>(parameters.element.degree),
+                             make_mapping(mesh, parameters.element.degree),
                              parameters.element.degree,
                              parameters.solids.symmetry ==
                                Parameters::Symmetry::axisymmetric,
@@ -73,8 +73,8 @@ namespace Contact
     , serendipity(degree == 2 && parameters.element.centre_node ==
                                    Parameters::CentreNode::serendipity)
     , free_centres(faces_with_free_centres(mesh, parameters))
-    , fe(make_fe<dim>(degree))
-    , quadrature(make_quadrature<dim>(degree))
+    , fe(make_fe(mesh, degree))
+    , quadrature(make_quadrature(mesh, degree))
     , boundary(parameters.boundary)
     , normal_supports(mesh, parameters.boundary.displacement_normal)
     , own_dof_handler(mesh.triangulation)
@@ -135,7 +135,7 @@ namespace Contact
   template<int dim>
   void Discretization<dim>::redistribute()
   {
-    distribute_dofs(mesh, fe, own_dof_handler);
+    distribute_dofs(fe, own_dof_handler);
     if (degree == 2 && !mesh.has_only_hypercubes())
       on_all_ranks(communicator,
                    [&]() { check_curved_simplices(dof_handler, mapping); });

@@ -34,7 +34,7 @@ namespace Contact
    * is isoparametric.
    *
    * Quadrature: degree + 1 Gauss points in each direction; in triangles and
-   * tetrahedra 1 point at degree 1, 3 and 4 points at degree 2.
+   * tetrahedra 1 point at degree 1, 3 and 8 points at degree 2.
    *
    * With <code>serendipity</code> the centre value of a quadrangle of degree 2
    * is 1/2 sum(mid-sides) - 1/4 sum(corners): the 8-node element; of hexahedra

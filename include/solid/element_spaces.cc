@@ -62,9 +62,9 @@ namespace Contact
 
 
 
-    /// One point, or dim + 1 points that are exact for polynomials of degree 2.
-    /// The choice of the first corner of a triangle does not matter to its
-    /// three, as it does to the four of QGaussSimplex<2>(2).
+    /// One point, or 3 in triangles and 8 in tetrahedra. The choice of the
+    /// first corner does not matter to them, as it does to those of
+    /// QGaussSimplex(2). MatrixFree knows those of 8 points, and none of 4.
     template<int dim>
     Quadrature<dim> simplex_rule(const unsigned int degree)
     {
@@ -72,52 +72,72 @@ namespace Contact
         if (degree == 2)
           return {{{1. / 6, 1. / 6}, {2. / 3, 1. / 6}, {1. / 6, 2. / 3}},
                   {1. / 6, 1. / 6, 1. / 6}};
-      return QGaussSimplex<dim>(degree);
+      return QWitherdenVincentSimplex<dim>(degree);
     }
   } // namespace
 
 
 
   template<int dim>
-  hp::MappingCollection<dim> make_mapping(const unsigned int degree)
+  hp::MappingCollection<dim> make_mapping(const Mesh<dim>   &mesh,
+                                          const unsigned int degree)
   {
-    return hp::MappingCollection<dim>(MappingQ<dim>(degree),
-                                      SimplexMapping<dim>(degree));
+    hp::MappingCollection<dim> mapping;
+    if (mesh.has_hypercubes())
+      mapping.push_back(MappingQ<dim>(degree));
+    if (mesh.has_simplices())
+      mapping.push_back(SimplexMapping<dim>(degree));
+    return mapping;
   }
 
   template<int dim>
-  hp::FECollection<dim> make_fe(const unsigned int degree)
+  hp::FECollection<dim> make_fe(const Mesh<dim>   &mesh,
+                                const unsigned int degree)
   {
-    return hp::FECollection<dim>(FESystem<dim>(FE_Q<dim>(degree), dim),
-                                 FESystem<dim>(FE_SimplexP<dim>(degree), dim));
+    hp::FECollection<dim> fe;
+    if (mesh.has_hypercubes())
+      fe.push_back(FESystem<dim>(FE_Q<dim>(degree), dim));
+    if (mesh.has_simplices())
+      fe.push_back(FESystem<dim>(FE_SimplexP<dim>(degree), dim));
+    return fe;
   }
 
   template<int dim>
-  hp::QCollection<dim> make_quadrature(const unsigned int degree)
+  hp::QCollection<dim> make_quadrature(const Mesh<dim>   &mesh,
+                                       const unsigned int degree)
   {
-    return hp::QCollection<dim>(QGauss<dim>(degree + 1),
-                                simplex_rule<dim>(degree));
+    hp::QCollection<dim> quadrature;
+    if (mesh.has_hypercubes())
+      quadrature.push_back(QGauss<dim>(degree + 1));
+    if (mesh.has_simplices())
+      quadrature.push_back(simplex_rule<dim>(degree));
+    return quadrature;
   }
 
   template<int dim>
-  hp::QCollection<dim - 1> make_face_quadrature(const unsigned int degree)
+  hp::QCollection<dim - 1> make_face_quadrature(const Mesh<dim>   &mesh,
+                                                const unsigned int degree)
   {
-    hp::QCollection<dim - 1> quadrature{QGauss<dim - 1>(degree + 1)};
-    if constexpr (dim == 2)
-      quadrature.push_back(QGauss<1>(degree + 1));
-    else
-      quadrature.push_back(QGaussSimplex<2>(degree + 1));
+    hp::QCollection<dim - 1> quadrature;
+    if (mesh.has_hypercubes())
+      quadrature.push_back(QGauss<dim - 1>(degree + 1));
+    if (mesh.has_simplices())
+      {
+        if constexpr (dim == 2)
+          quadrature.push_back(QGauss<1>(degree + 1));
+        else
+          quadrature.push_back(QWitherdenVincentSimplex<2>(degree + 1));
+      }
     return quadrature;
   }
 
 
 
   template<int dim>
-  void distribute_dofs(const Mesh<dim>             &mesh,
-                       const hp::FECollection<dim> &fe,
+  void distribute_dofs(const hp::FECollection<dim> &fe,
                        DoFHandler<dim>             &dof_handler)
   {
-    if (mesh.has_only_hypercubes())
+    if (fe.size() == 1)
       dof_handler.distribute_dofs(fe[0]);
     else
       {
@@ -136,7 +156,7 @@ namespace Contact
                               const hp::MappingCollection<dim> &mapping)
   {
     const FE_SimplexP<dim> fe(2);
-    FEValues<dim>          fe_values(mapping[1],
+    FEValues<dim>          fe_values(mapping[mapping.size() - 1],
                             fe,
                             Quadrature<dim>(fe.get_unit_support_points()),
                             update_jacobians);
@@ -164,22 +184,20 @@ namespace Contact
 
 
 
-  template hp::MappingCollection<2> make_mapping(const unsigned int);
-  template hp::FECollection<2>      make_fe(const unsigned int);
-  template hp::QCollection<2>       make_quadrature(const unsigned int);
-  template hp::MappingCollection<3> make_mapping(const unsigned int);
-  template hp::FECollection<3>      make_fe(const unsigned int);
-  template hp::QCollection<3>       make_quadrature(const unsigned int);
-  template hp::QCollection<1>       make_face_quadrature<2>(const unsigned int);
-  template hp::QCollection<2>       make_face_quadrature<3>(const unsigned int);
-  template void check_curved_simplices(const DoFHandler<2> &,
-                                       const hp::MappingCollection<2> &);
-  template void check_curved_simplices(const DoFHandler<3> &,
-                                       const hp::MappingCollection<3> &);
-  template void distribute_dofs(const Mesh<2> &,
-                                const hp::FECollection<2> &,
-                                DoFHandler<2> &);
-  template void distribute_dofs(const Mesh<3> &,
-                                const hp::FECollection<3> &,
-                                DoFHandler<3> &);
+#define INSTANTIATE(dim)                                                        \
+  template hp::MappingCollection<dim> make_mapping(const Mesh<dim> &,           \
+                                                   const unsigned int);         \
+  template hp::FECollection<dim>      make_fe(const Mesh<dim> &,                \
+                                              const unsigned int);              \
+  template hp::QCollection<dim>       make_quadrature(const Mesh<dim> &,        \
+                                                      const unsigned int);      \
+  template hp::QCollection<dim - 1>   make_face_quadrature(const Mesh<dim> &,   \
+                                                           const unsigned int); \
+  template void check_curved_simplices(const DoFHandler<dim> &,                 \
+                                       const hp::MappingCollection<dim> &);     \
+  template void distribute_dofs(const hp::FECollection<dim> &,                  \
+                                DoFHandler<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Contact

@@ -17,28 +17,30 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// The mappings, elements and quadratures {for quadrangles, for triangles},
-  /// in 3-D {for hexahedra, for tetrahedra}, of a degree.
+  /// The mappings, elements and quadratures of a degree for the kinds of cells
+  /// that a mesh has: quadrangles before triangles, hexahedra before
+  /// tetrahedra.
   template<int dim>
-  hp::MappingCollection<dim> make_mapping(const unsigned int degree);
+  hp::MappingCollection<dim> make_mapping(const Mesh<dim>   &mesh,
+                                          const unsigned int degree);
 
   template<int dim>
-  hp::FECollection<dim> make_fe(const unsigned int degree);
+  hp::FECollection<dim> make_fe(const Mesh<dim>   &mesh,
+                                const unsigned int degree);
 
   template<int dim>
-  hp::QCollection<dim> make_quadrature(const unsigned int degree);
+  hp::QCollection<dim> make_quadrature(const Mesh<dim>   &mesh,
+                                       const unsigned int degree);
 
   /// Those of the faces of these cells, exact for polynomials of degree
   /// 2 degree + 1.
   template<int dim>
-  hp::QCollection<dim - 1> make_face_quadrature(const unsigned int degree);
+  hp::QCollection<dim - 1> make_face_quadrature(const Mesh<dim>   &mesh,
+                                                const unsigned int degree);
 
-  /// Number the unknowns of a collection {for quadrangles, for triangles}. A
-  /// mesh of quadrangles or hexahedra alone takes the first element for all
-  /// cells.
+  /// Number the unknowns of such a collection.
   template<int dim>
-  void distribute_dofs(const Mesh<dim>             &mesh,
-                       const hp::FECollection<dim> &fe,
+  void distribute_dofs(const hp::FECollection<dim> &fe,
                        DoFHandler<dim>             &dof_handler);
 
   /// Throws InputError on the rank that owns a triangle or tetrahedron which

@@ -160,7 +160,9 @@ int main(int argc, char **argv)
         DoFTools::extract_dofs(dof_handler,
                                fe.component_mask(
                                  FEValuesExtractors::Scalar(0)));
-      DefiniteSolver::Modes modes(3, std::vector<double>(n));
+      DefiniteSolver::CoarseSpace space;
+      auto                       &modes = space.modes;
+      modes.assign(3, std::vector<double>(n));
       for (unsigned int i = 0; i < n; ++i)
         {
           const bool x                    = in_x.is_element(i);
@@ -174,7 +176,7 @@ int main(int argc, char **argv)
         Contact::Parameters::Choice<Contact::Parameters::SolverKind>(solver),
         /*symmetric=*/true,
         /*may_be_indefinite=*/false,
-        modes,
+        space,
         counters);
       definite->set_matrix(matrix,
                            /*symmetric=*/true,

@@ -96,12 +96,17 @@ def hammer_seven():
 
 
 def gauss_tetrahedron(degree):
-    """Exact to degree 1 and 2: the points of the program."""
+    """Exact to degree 1 and 3: the points of the program (Witherden and Vincent
+    2015)."""
     if degree == 1:
         return [((1 / 4,) * 3, 1 / 6)]
-    a = (5 - 5 ** 0.5) / 20
-    return [(place, 1 / 24) for place in ((a, a, a), (1 - 3 * a, a, a),
-                                          (a, 1 - 3 * a, a), (a, a, 1 - 3 * a))]
+    points = []
+    for a, w in ((0.32816330251638171, 0.13621784253708741),
+                 (0.10804724989842859, 0.11378215746291259)):
+        b = 1 - 3 * a
+        points += [(place, w / 6) for place in ((a, a, a), (b, a, a), (a, b, a),
+                                                (a, a, b))]
+    return points
 
 
 def collapsed(n, dim):

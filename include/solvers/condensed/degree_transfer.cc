@@ -21,8 +21,8 @@ namespace Contact
     , owned(discretization.dof_handler.locally_owned_dofs())
     , linear(discretization.mesh.triangulation)
   {
-    const hp::FECollection<dim> linear_fe = make_fe<dim>(1);
-    distribute_dofs(discretization.mesh, linear_fe, linear);
+    const hp::FECollection<dim> linear_fe = make_fe(discretization.mesh, 1);
+    distribute_dofs(linear_fe, linear);
     for (unsigned int f = 0; f < linear_fe.size(); ++f)
       {
         const auto &vertex = linear_fe[f].base_element(0);

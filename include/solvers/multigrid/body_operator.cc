@@ -58,21 +58,20 @@ namespace Contact
     using Data     = MatrixFree<dim, Number, Numbers>;
 
     Cells(const Mapping<dim>                           &mapping,
+          const Quadrature<dim>                        &quadrature,
           const DoFHandler<dim>                        &dof_handler,
           const AffineConstraints<Number>              &constraints,
           const std::map<types::material_id, Material> &materials)
       : dof_handler(dof_handler)
       , constraints(constraints)
+      , quadrature(quadrature)
       , degree(dof_handler.get_fe().degree)
+      , is_tensor_product(dof_handler.get_fe().reference_cell().is_hyper_cube())
     {
       typename Data::AdditionalData data;
       data.tasks_parallel_scheme = Data::AdditionalData::none;
       data.mapping_update_flags  = update_gradients | update_JxW_values;
-      matrix_free.reinit(mapping,
-                         dof_handler,
-                         constraints,
-                         QGauss<1>(degree + 1),
-                         data);
+      matrix_free.reinit(mapping, dof_handler, constraints, quadrature, data);
 
       lambda.resize(matrix_free.n_cell_batches());
       two_mu.resize(matrix_free.n_cell_batches());
@@ -113,7 +112,9 @@ namespace Contact
 
     void vmult(Vector &dst, const Vector &src) const
     {
-      if (degree == 1)
+      if (!is_tensor_product)
+        loop(&Cells::template multiply<-1, false>, dst, src);
+      else if (degree == 1)
         loop(&Cells::template multiply<1, false>, dst, src);
       else
         loop(&Cells::template multiply<2, false>, dst, src);
@@ -122,7 +123,9 @@ namespace Contact
     void forces(Vector &dst, const Vector &u) const
     {
       AssertThrow(gradients.empty(), ExcInternalError());
-      if (degree == 1)
+      if (!is_tensor_product)
+        loop(&Cells::template multiply<-1, true>, dst, u);
+      else if (degree == 1)
         loop(&Cells::template multiply<1, true>, dst, u);
       else
         loop(&Cells::template multiply<2, true>, dst, u);
@@ -135,8 +138,7 @@ namespace Contact
     {
       Vector result;
       matrix_free.initialize_dof_vector(result);
-      const FiniteElement<dim> &fe = dof_handler.get_fe();
-      const QGauss<dim>         quadrature(degree + 1);
+      const FiniteElement<dim> &fe      = dof_handler.get_fe();
       const unsigned int        n_nodes = fe.n_dofs_per_cell() / dim;
 
       // Unit gradients of the nodes, and the place of their unknowns.
@@ -217,7 +219,9 @@ namespace Contact
 
     const DoFHandler<dim>           &dof_handler;
     const AffineConstraints<Number> &constraints;
+    const Quadrature<dim>            quadrature;
     const unsigned int               degree;
+    const bool                       is_tensor_product;
     Data                             matrix_free;
 
   private:
@@ -239,7 +243,7 @@ namespace Contact
     }
 
     /// Values of constrained unknowns are those of @p src, or follow from the
-    /// others.
+    /// others. A @p degree of -1 is any, without sum factorization.
     template<int degree, bool has_all_values>
     void multiply(const Data &,
                   Vector                                      &dst,
@@ -312,11 +316,15 @@ namespace Contact
   template<int dim, typename Number>
   BodyOperator<dim, Number>::BodyOperator(
     const Mapping<dim>                           &mapping,
+    const Quadrature<dim>                        &quadrature,
     const DoFHandler<dim>                        &dof_handler,
     const AffineConstraints<Number>              &constraints,
     const std::map<types::material_id, Material> &materials)
-    : cells(
-        std::make_unique<Cells>(mapping, dof_handler, constraints, materials))
+    : cells(std::make_unique<Cells>(mapping,
+                                    quadrature,
+                                    dof_handler,
+                                    constraints,
+                                    materials))
     , partitioner(cells->matrix_free.get_vector_partitioner())
   {
   }

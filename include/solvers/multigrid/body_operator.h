@@ -24,8 +24,8 @@ namespace Contact
   using namespace dealii;
 
   /**
-   * The tangent of elastic bodies as a matrix-free operator: by sum
-   * factorization in each cell, from deal.II's MatrixFree. Hanging nodes and
+   * The tangent of elastic bodies as a matrix-free operator, from deal.II's
+   * MatrixFree: in hypercubes by sum factorization. Hanging nodes and
    * supports are eliminated. Bodies of St. Venant and Kirchhoff's material keep
    * the gradients of the displacement in the quadrature points, where with F =
    * 1
@@ -41,6 +41,7 @@ namespace Contact
     /// Materials are those of the material ids. @p constraints are taken as
     /// homogeneous; all references have to live on.
     BodyOperator(const Mapping<dim>                           &mapping,
+                 const Quadrature<dim>                        &quadrature,
                  const DoFHandler<dim>                        &dof_handler,
                  const AffineConstraints<Number>              &constraints,
                  const std::map<types::material_id, Material> &materials);

@@ -208,7 +208,7 @@ namespace Contact
     const unsigned int         n     = fe.n_dofs_per_cell();
     FEValues<dim>              values(level.mapping,
                          fe,
-                         QGauss<dim>(fe.degree + 1),
+                         discretization.quadrature[0],
                          update_gradients | update_JxW_values);
     for (const auto &cell : level.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())

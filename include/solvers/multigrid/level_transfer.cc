@@ -116,10 +116,10 @@ namespace Contact
   template<int dim>
   void LevelTransfer<dim>::initialize()
   {
-    transfer.reinit_geometric_transfer(fine.dof_handler,
-                                       coarse.dof_handler,
-                                       fine.supports(),
-                                       coarse.supports());
+    transfer.initialize(fine.dof_handler,
+                        coarse.dof_handler,
+                        fine.supports(),
+                        coarse.supports());
     resolve_constraints();
   }
 

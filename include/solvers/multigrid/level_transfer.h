@@ -6,11 +6,10 @@
 #ifndef contact_level_transfer_h
 #define contact_level_transfer_h
 
-#include <deal.II/multigrid/mg_transfer_global_coarsening.h>
-
 #include "base/errors.h"
 #include "base/exchange.h"
 #include "solvers/multigrid/multigrid_level.h"
+#include "solvers/multigrid/nested_transfer.h"
 #include "solvers/multigrid/surface_cells.h"
 
 namespace Contact
@@ -106,11 +105,11 @@ namespace Contact
     void add_lines_between(const SurfaceRows &lines, SurfaceRows &made) const;
     std::vector<SurfaceSpring> coarse_springs() const;
 
-    Level                          &coarse, &fine;
-    const MPI_Comm                  communicator;
-    const UnknownOwners             fine_owners, coarse_owners;
-    SurfaceCells<dim>               cells; // coarse ones
-    MGTwoLevelTransfer<dim, Vector> transfer;
+    Level                                      &coarse, &fine;
+    const MPI_Comm                              communicator;
+    const UnknownOwners                         fine_owners, coarse_owners;
+    SurfaceCells<dim>                           cells; // coarse ones
+    NestedTransfer<dim, typename Level::Number> transfer;
 
     /// This rank's fine unknowns at the surfaces by coarse ones, and those of
     /// other ranks that its lines have needed.

@@ -5,6 +5,7 @@
 
 #include "solvers/multigrid/matrix_free_system.h"
 
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_gmres.h>
 
@@ -46,8 +47,19 @@ namespace Contact
   MatrixFreeSystem<dim>::refusal(const Discretization<dim> &discretization,
                                  const Elasticity<dim>     &elasticity)
   {
-    if (!discretization.mesh.has_only_hypercubes())
-      return Dimension<dim>::simplices;
+    if (discretization.fe.size() > 1)
+      return std::string(Dimension<dim>::simplices) + " beside " +
+             Dimension<dim>::hypercubes;
+    if (discretization.mesh.has_simplices())
+      {
+        if (Utilities::MPI::n_mpi_processes(discretization.communicator) > 1)
+          return std::string(Dimension<dim>::simplices) +
+                 " on several processes";
+        // Others MatrixFree does not know.
+        if (!(discretization.quadrature[0] ==
+              QWitherdenVincentSimplex<dim>(discretization.degree)))
+          return std::string(Dimension<dim>::simplices) + " of degree 2";
+      }
     if (discretization.axisymmetric)
       return "rings";
     if (!elasticity.is_elastic())
@@ -84,7 +96,7 @@ namespace Contact
       return "unknowns that are tied together";
     if (is_on_any_rank(!discretization.normal_supports.lines().empty()))
       return "supports along normals";
-    if (discretization.serendipity)
+    if (discretization.serendipity && discretization.mesh.has_hypercubes())
       return no_centre_nodes;
     return "";
   }
@@ -205,6 +217,7 @@ namespace Contact
       materials.emplace(body.second, elasticity.material(body.second));
     bodies =
       std::make_unique<BodyOperator<dim, double>>(discretization.mapping[0],
+                                                  discretization.quadrature[0],
                                                   discretization.dof_handler,
                                                   discretization.constraints,
                                                   materials);

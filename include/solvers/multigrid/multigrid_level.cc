@@ -17,6 +17,7 @@ namespace Contact
     : dof_handler(&mesh == &finest.mesh.triangulation ? finest.dof_handler
                                                       : own_dof_handler)
     , mapping(finest.mapping[0])
+    , quadrature(finest.quadrature[0])
     , communicator(finest.communicator)
     , materials(materials)
   {
@@ -61,6 +62,7 @@ namespace Contact
         constraints.add_line(dof);
     constraints.close();
     bodies = std::make_unique<BodyOperator<dim, Number>>(mapping,
+                                                         quadrature,
                                                          dof_handler,
                                                          constraints,
                                                          materials);

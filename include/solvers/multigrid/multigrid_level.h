@@ -121,6 +121,7 @@ namespace Contact
   public:
     const DoFHandler<dim> &dof_handler;
     const Mapping<dim>    &mapping;
+    const Quadrature<dim> &quadrature;
     mutable Vector         rhs, solution, residual;
 
   private:
