@@ -27,6 +27,7 @@ namespace Contact
   namespace
   {
     namespace fs = std::filesystem;
+    using Parameters::Geometry;
 
     /// The surfaces on which pressures are looked for, not those of glue.
     std::set<std::string> contact_surfaces(const Parameters::All &parameters)
@@ -45,7 +46,7 @@ namespace Contact
     {
       if (!fs::is_regular_file(file) ||
           !sums.emplace(file.lexically_normal(), checksum(file)).second ||
-          !Parameters::Geometry::is_geo(file.string()))
+          Geometry::source_of(file.string()) != Geometry::Source::geo)
         return;
       std::ifstream     in(file);
       const std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -60,7 +61,7 @@ namespace Contact
 
     /// All that a mesh depends on, in a line.
     std::string fingerprint(const fs::path              &source,
-                            const Parameters::Geometry  &mesh,
+                            const Geometry              &mesh,
                             const std::set<std::string> &in_contact)
     {
       std::ostringstream text;
@@ -109,11 +110,12 @@ namespace Contact
                      const MPI_Comm    communicator)
   {
     Parameters::Mesh &mesh = parameters.mesh;
-    if (!Parameters::Geometry::is_geometry(mesh.file))
+    const auto        kind = Geometry::source_of(mesh.file);
+    if (kind == Geometry::Source::mesh)
       return;
-    const Parameters::Geometry geometry(prm);
-    const fs::path             source(mesh.file);
-    const fs::path             msh_file =
+    const Geometry geometry(prm);
+    const fs::path source(mesh.file);
+    const fs::path msh_file =
       parameters.directory() / (source.stem().string() + ".msh");
     on_all_ranks(communicator, [&]() {
       if (Utilities::MPI::this_mpi_process(communicator) > 0)
@@ -155,7 +157,7 @@ namespace Contact
            parameters.findings);
     });
     if (geometry.order == 2 ||
-        (geometry.order == 0 && !Parameters::Geometry::is_geo(mesh.file)))
+        (geometry.order == 0 && kind == Geometry::Source::cad))
       mesh.mid_side_nodes = true;
     mesh.file = msh_file.string();
   }

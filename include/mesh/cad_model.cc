@@ -59,7 +59,8 @@ namespace Contact
                      const std::set<std::string> &in_contact)
     : file(file)
     , parameters(parameters)
-    , is_geo(Parameters::Geometry::is_geo(file))
+    , is_geo(Parameters::Geometry::source_of(file) ==
+             Parameters::Geometry::Source::geo)
   {
     call([&]() { gmsh::open(file); },
          "gmsh cannot read the file",

@@ -9,7 +9,6 @@
 #include <deal.II/base/utilities.h>
 
 #include <filesystem>
-#include <set>
 
 #include "base/errors.h"
 #include "base/string_utilities.h"
@@ -86,7 +85,7 @@ namespace Contact
     {
       std::map<std::string, std::string> idle;
       const auto note = [&](const bool is_set, const std::string &entry) {
-        if (is_set && !is_geometry(file))
+        if (is_set && source_of(file) == Source::mesh)
           idle["Mesh/" + entry] = "the file is a mesh, no .geo or CAD file";
       };
       note(size != 0, "Size");
@@ -98,23 +97,16 @@ namespace Contact
 
 
 
-    bool Geometry::is_geo(const std::string &file)
+    Geometry::Source Geometry::source_of(const std::string &file)
     {
-      return std::filesystem::path(file).extension() == ".geo";
-    }
-
-
-
-    bool Geometry::is_geometry(const std::string &file)
-    {
-      static const std::set<std::string> formats = {".step",
-                                                    ".stp",
-                                                    ".iges",
-                                                    ".igs",
-                                                    ".brep"};
-      return is_geo(file) ||
-             formats.count(lower_case(
-               std::filesystem::path(file).extension().string())) > 0;
+      static const std::map<std::string, Source> sources = {
+        {".geo", Source::geo},
+        {".step", Source::cad},
+        {".stp", Source::cad},
+        {".brep", Source::cad}};
+      const auto found = sources.find(
+        lower_case(std::filesystem::path(file).extension().string()));
+      return found == sources.end() ? Source::mesh : found->second;
     }
   } // namespace Parameters
 } // namespace Contact

@@ -42,10 +42,14 @@ namespace Contact
       std::map<std::string, std::string>
       idle_entries(const std::string &file) const;
 
-      /// Whether the name of a file says that gmsh makes a mesh of it: a CAD
-      /// file, or a description in gmsh's own language.
-      static bool is_geometry(const std::string &file);
-      static bool is_geo(const std::string &file);
+      /// What Mesh/File is, by the end of its name.
+      enum class Source
+      {
+        mesh,
+        geo, // a description in gmsh's own language, which makes the mesh
+        cad  // so of this
+      };
+      static Source source_of(const std::string &file);
     };
   } // namespace Parameters
 } // namespace Contact

@@ -121,13 +121,8 @@ namespace Contact
     hp::QCollection<dim - 1> quadrature;
     if (mesh.has_hypercubes())
       quadrature.push_back(QGauss<dim - 1>(degree + 1));
-    if (mesh.has_simplices())
-      {
-        if constexpr (dim == 2)
-          quadrature.push_back(QGauss<1>(degree + 1));
-        else
-          quadrature.push_back(QWitherdenVincentSimplex<2>(degree + 1));
-      }
+    if (mesh.has_simplices()) // on lines those of Gauss
+      quadrature.push_back(QWitherdenVincentSimplex<dim - 1>(degree + 1));
     return quadrature;
   }
 

@@ -25,6 +25,9 @@ namespace Contact
 
     auto jacobi = std::make_shared<Jacobi>();
     jacobi->initialize(matrix);
+    // By trial on 154686 unknowns in tetrahedra, five Newton steps: 43
+    // iterations, with ranges of 4 and 10 45 and 43; of degree 3 38, which take
+    // longer, of degree 1 67.
     Smoother::AdditionalData data;
     data.degree              = 2;
     data.smoothing_range     = 6;
