@@ -32,8 +32,8 @@ import sys
 import numpy
 
 from block_scenes import check, failures, rows, run
-from space_scenes import (SURFACES, check_patch, completing_share, converged, merged,
-                          minimal_supports, probes, rotation, uniform_loads)
+from space_scenes import (SURFACES, block_supports, check_patch, completing_share,
+                          converged, merged, rotation, uniform_loads)
 from volume_scenes import Volumes
 
 ANGLES = (27., -40., 63.)
@@ -131,22 +131,6 @@ def loads(low, up, stress, degree):
     return entries
 
 
-def supports(low, up, with_shear):
-    """Three corners of each block; contact holds the upper one along the normal,
-    and where it sticks, altogether."""
-    def corners(body, block, t):
-        return {f"{body}_{i}{j}{t}": TURN @ block.chart(i, j, t)
-                for i, j in ((0, 0), (1, 0), (0, 1))}
-    entries = minimal_supports(corners("Low", low, 0))
-    if not with_shear:
-        normal = TURN @ [0, 0, 1.]
-        contact = [numpy.concatenate((normal, numpy.cross(TURN @ x, normal)))
-                   for x in numpy.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]])]
-        entries = merged(entries,
-                         minimal_supports(corners("Up", up, 1), contact))
-    return entries
-
-
 def patch_test(scene, nodes, slave, with_shear, ranks):
     low, up = SCENES[scene]
     mesh = Volumes()
@@ -167,7 +151,7 @@ def patch_test(scene, nodes, slave, with_shear, ranks):
         "Solids/Young's modulus": "Low: {}, Up: {}".format(*moduli),
         "Solids/Poisson's ratio": "Low: {}, Up: {}".format(*ratios),
         "Solids/Kinematics": "small strain",
-        **loads(low, up, stress, degree), **supports(low, up, with_shear),
+        **loads(low, up, stress, degree), **block_supports(low, up, TURN, with_shear),
         "Contact/Slave": "Up_z0" if slave == "Up" else "Low_z1",
         "Contact/Master": "Low_z1" if slave == "Up" else "Up_z0",
         "Contact/Friction coefficient": 0.8 if with_shear else 0,

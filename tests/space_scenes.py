@@ -73,6 +73,22 @@ def minimal_supports(points, rows=()):
     return entries
 
 
+def block_supports(low, up, turn, with_shear):
+    """Three corners of each of two blocks, which are turned; contact holds the
+    upper one along the normal, and where it sticks, altogether."""
+    def corners(body, block, t):
+        return {f"{body}_{i}{j}{t}": turn @ block.chart(i, j, t)
+                for i, j in ((0, 0), (1, 0), (0, 1))}
+    entries = minimal_supports(corners("Low", low, 0))
+    if not with_shear:
+        normal = turn @ [0, 0, 1.]
+        contact = [numpy.concatenate((normal, numpy.cross(turn @ x, normal)))
+                   for x in numpy.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]])]
+        entries = merged(entries,
+                         minimal_supports(corners("Up", up, 1), contact))
+    return entries
+
+
 def remainder(row, rows):
     if not rows:
         return numpy.linalg.norm(row)

@@ -30,7 +30,7 @@ import sys
 import numpy
 
 from block_scenes import check, failures, rows, run
-from space_scenes import (check_patch, clip, converged, merged, minimal_supports, probes,
+from space_scenes import (block_supports, check_patch, clip, converged, merged,
                           rotation, uniform_loads)
 from tetrahedra_scenes import Solid
 
@@ -164,22 +164,6 @@ def completing_loads(mesh, body, block, kind, number, covering, stress, degree):
     return entries
 
 
-def supports(low, up, with_shear):
-    """Three corners of each block; contact holds the upper one along the normal,
-    and where it sticks, altogether."""
-    def corners(body, block, t):
-        return {f"{body}_{i}{j}{t}": TURN @ block.chart(i, j, t)
-                for i, j in ((0, 0), (1, 0), (0, 1))}
-    entries = minimal_supports(corners("Low", low, 0))
-    if not with_shear:
-        normal = TURN @ [0, 0, 1.]
-        contact = [numpy.concatenate((normal, numpy.cross(TURN @ x, normal)))
-                   for x in numpy.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]])]
-        entries = merged(entries,
-                         minimal_supports(corners("Up", up, 1), contact))
-    return entries
-
-
 def patch_test(scene, below, above, degree, slave, with_shear, ranks,
                discretization="mortar"):
     low, up = scene
@@ -206,7 +190,7 @@ def patch_test(scene, below, above, degree, slave, with_shear, ranks,
         "Solids/Young's modulus": "Low: {}, Up: {}".format(*moduli),
         "Solids/Poisson's ratio": "Low: {}, Up: {}".format(*ratios),
         "Solids/Kinematics": "small strain",
-        **loads, **supports(low, up, with_shear),
+        **loads, **block_supports(low, up, TURN, with_shear),
         "Contact/Slave": "Up_z0" if slave == "Up" else "Low_z1",
         "Contact/Master": "Low_z1" if slave == "Up" else "Up_z0",
         "Contact/Friction coefficient": 0.8 if with_shear else 0,

@@ -96,12 +96,7 @@ def run_contact(contact, scene, folder, seconds):
     if len(steps) > 1:
         entries["Boundary conditions/Histories"] = "; ".join(
             f"Displacement {a}: {h}" for a, h in histories.items())
-    lines = []
-    for name, value in entries.items():
-        section, entry = name.split("/", 1)
-        lines += [f"subsection {section}", f"  set {entry} = {value}", "end"]
-    (folder / "case.prm").write_text("\n".join(lines) + "\n")
-    result = timed([str(contact), "case.prm", "--quiet"], folder, seconds)
+    result = timed_case(contact, entries, folder, seconds)
     path = folder / "output" / "case" / "summary.json"
     if result["status"] != 0 or not path.exists():
         return {**result, "reason": f"status {result['status']}"}
@@ -184,6 +179,16 @@ def run_calculix(mesh, scene, folder, seconds):
             "increments": len(done), "reason": "", "unknowns": int(re.findall(
                 r"number of equations\s+(\d+)",
                 (folder / "out").read_text(errors="replace"))[-1])}
+
+
+def timed_case(contact, entries, folder, seconds):
+    """The program on a case of these entries, by 'section/entry'."""
+    lines = []
+    for name, value in entries.items():
+        section, entry = name.split("/", 1)
+        lines += [f"subsection {section}", f"  set {entry} = {value}", "end"]
+    (folder / "case.prm").write_text("\n".join(lines) + "\n")
+    return timed([str(contact), "case.prm", "--quiet"], folder, seconds)
 
 
 def timed(command, folder, seconds):

@@ -31,7 +31,7 @@ import subprocess
 import sys
 import tempfile
 
-from space import MODULUS, RATIO, timed
+from space import MODULUS, RATIO, timed, timed_case
 
 RADIUS, SIZE, APPROACH, REFERENCE = 10., 8., 0.1, 0.2
 # A point at the pole; sizes grow from H within 1.3 mm of it, over the radius of
@@ -132,12 +132,7 @@ def run_contact(contact, is_ring, folder, seconds, increments=1):
         entries["Solids/Symmetry"] = "axisymmetric"
     else:
         entries["Boundary conditions/Displacement y"] = "Up_y0: 0, Low_y0: 0"
-    lines = []
-    for name, value in entries.items():
-        section, entry = name.split("/", 1)
-        lines += [f"subsection {section}", f"  set {entry} = {value}", "end"]
-    (folder / "case.prm").write_text("\n".join(lines) + "\n")
-    result = timed([str(contact), "case.prm", "--quiet"], folder, seconds)
+    result = timed_case(contact, entries, folder, seconds)
     path = folder / "output" / "case" / "summary.json"
     if result["status"] not in (0, 1) or not path.exists():
         said = (folder / "out").read_text(errors="replace").strip()[-200:]
