@@ -237,6 +237,8 @@ namespace Contact
         std::make_unique<Mesh<dim>>(parameters.mesh, report.communicator);
       if (parameters.refines_adaptively(model.mesh->has_only_hypercubes()))
         check_adaptive(*model.mesh);
+      if (dim == 2)
+        parameters.check_effects_in_plane();
       model.discretization =
         std::make_unique<Discretization<dim>>(*model.mesh,
                                               parameters,
@@ -299,7 +301,7 @@ namespace Contact
     // mesh.
     const double tolerance = parameters.solution.newton_tolerance;
     newton.begin_level(
-      levels.may_be_last()
+      levels.may_be_last() || parameters.solution.estimate_effects
         ? tolerance
         : std::max(tolerance, parameters.refinement.tolerance));
   }
@@ -315,7 +317,7 @@ namespace Contact
   void ContactProblem<dim>::solve_level()
   {
     CoarserLevel<dim> here;
-    LoadSteps         steps(parameters.solution.n_increments,
+    LoadSteps         steps(parameters.solution.increments,
                     parameters.solution.max_cuts);
     stabilization.begin_level();
     if (levels.present() > 0 && model.has_friction())
@@ -396,10 +398,12 @@ namespace Contact
     const bool is_too_large =
       parameters.is_condensed(model.n_displacements()) &&
       !parameters.is_condensed() &&
-      !parameters.probes.dual_weighted_residuals && !parameters.follows_goals();
+      parameters.probes.errors == Parameters::Errors::automatic &&
+      !parameters.follows_goals();
     if (is_too_large && parameters.solves_dual_problems())
       errors.not_estimated = "The mesh is too large for that to cost little: "
-                             "take 'Levels', or 'Dual weighted residuals'.";
+                             "take 'Levels', or 'Errors = dual weighted "
+                             "residuals'.";
     else if constexpr (dim == 2)
       if (parameters.solves_dual_problems())
         try
@@ -437,13 +441,11 @@ namespace Contact
         model.interface->motions.move(step.from, step.to, state.solution))
       pairing.pair(state.solution);
     if (model.interface && step.increment == 1)
-      model.interface->ramp_initial_penetration(
-        step.from * parameters.solution.n_increments,
-        step.ends_increment ? 1. : step.to * parameters.solution.n_increments,
-        state.solution);
+      model.interface->ramp_initial_penetration(step.from_part,
+                                                step.to_part,
+                                                state.solution);
     state.begin(model, step.from, step.to);
-    pairing.begin_increment((step.to - step.from) *
-                            parameters.solution.n_increments);
+    pairing.begin_increment(step.to_part - step.from_part);
     postprocessor.clear_stresses();
     report.begin_increment(levels.present(), step.increment, step.to);
     // Behind a cut an increment starts at the end of the last one on this mesh.
@@ -563,10 +565,7 @@ namespace Contact
         model.interface->active_set.count().active > 0 ||
         rigid_body_modes<dim>(*model.discretization, nullptr).empty())
       return;
-    bool is_cut = false;
-    while (steps.cut())
-      is_cut = true;
-    if (is_cut)
+    if (steps.begin_small())
       report.log
         << "The bodies do not touch yet: they do first in a step of its own"
         << std::endl;
@@ -824,7 +823,8 @@ namespace Contact
   // @sect4{ContactProblem::estimate_effects}
   //
   // How much the probes change by an effect that the scene has, or leaves out,
-  // follows from the residual of the other scene in this one's state.
+  // follows from the residual of the other scene in this one's state. In 3-D
+  // runs on coarser meshes tell it, see estimate_effects_by_runs().
   template<int dim>
   void ContactProblem<dim>::estimate_effects()
   {

@@ -36,7 +36,8 @@ from named_mesh import TYPES, BadMesh, Element, Mesh, msh_text  # noqa: E402
 MED_TYPES = {"PO1": "vertex", "SE2": "line", "SE3": "line3", "TR3": "triangle",
              "TR6": "triangle6", "TR7": "triangle7", "QU4": "quad",
              "QU8": "quad8", "QU9": "quad9", "TE4": "tetra", "T10": "tetra10",
-             "HE8": "hexahedron", "H20": "hexahedron20", "H27": "hexahedron27"}
+             "PE6": "wedge", "PY5": "pyramid", "HE8": "hexahedron",
+             "H20": "hexahedron20", "H27": "hexahedron27"}
 # The centres of the faces of a hexahedron in VTK's order, by their place in
 # MED's.
 MED_ORDER = {"hexahedron27": [*range(20), 24, 22, 21, 23, 20, 25, 26]}

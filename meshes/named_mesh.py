@@ -11,6 +11,7 @@ TYPES = {"vertex": (15, 0, 1), "line": (1, 1, 2), "line3": (8, 1, 3),
          "triangle": (2, 2, 3), "triangle6": (9, 2, 6), "triangle7": (9, 2, 6),
          "quad": (3, 2, 4), "quad8": (16, 2, 8), "quad9": (10, 2, 9),
          "tetra": (4, 3, 4), "tetra10": (11, 3, 10),
+         "wedge": (6, 3, 6), "pyramid": (7, 3, 5),
          "hexahedron": (5, 3, 8), "hexahedron20": (17, 3, 20),
          "hexahedron27": (12, 3, 27)}
 
@@ -23,7 +24,8 @@ GMSH_ORDER["hexahedron27"] = GMSH_ORDER["hexahedron20"] + [24, 22, 20, 21, 23,
                                                            25, 26]
 
 # Names of volumes that contact does not take, of meshio's and of MED.
-OTHER_VOLUMES = ("wedge", "pyramid", "PE6", "P15", "P18", "PY5", "P13")
+OTHER_VOLUMES = ("wedge15", "wedge18", "pyramid13", "pyramid14", "P15", "P18",
+                 "P13")
 
 
 class BadMesh(Exception):
@@ -67,10 +69,11 @@ class Mesh:
     def add(self, kind: str, nodes, groups, where) -> None:
         """A block of equal elements with the groups of each."""
         if kind.startswith(OTHER_VOLUMES):
-            raise BadMesh("the mesh has prisms or pyramids (elements of type "
-                          f"{kind})", str(where),
-                          "mesh volumes with tetrahedra of 4 or 10 nodes, or with "
-                          "hexahedra of 8, 20 or 27")
+            raise BadMesh("the mesh has prisms or pyramids of second order "
+                          f"(elements of type {kind})", str(where),
+                          "mesh volumes with tetrahedra of 4 or 10 nodes, with "
+                          "hexahedra of 8, 20 or 27, or with prisms and pyramids "
+                          "of first order, which contact splits")
         if kind not in TYPES:
             raise BadMesh(f"the mesh has elements of type {kind}", str(where),
                           "mesh a plane surface with lines, triangles and "

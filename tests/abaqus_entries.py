@@ -71,7 +71,7 @@ S
 *END STEP
 """
 CASE = """# Written by meshes/convert.py from all.inp
-# left out: *ELEMENT, line 12: CPS4: there is no plane stress, this case is plane strain
+# left out: *ELEMENT, line 12: CPS4: plane stress is that of elastic bodies in small strain, this case is plane strain
 # left out: *SOLID SECTION, line 62: a thickness of 2: forces here are per mm of thickness, those of *CLOAD are divided by it
 # left out: *EXPANSION, line 69: give Solids/Thermal strain
 # left out: *FRICTION, line 72: TAUMAX: friction is one number, Contact/Friction coefficient
@@ -189,6 +189,10 @@ def entries():
     check("and what else it asks for is left out", "RF" not in done.stdout and
           "*NODE PRINT, line 102: S: see the sections" in done.stdout, done.stdout)
 
+    convert("thin", PLATE.replace("CPE4", "CPS4") + "*STEP\n*STATIC\n*END STEP\n")
+    check("plane stress of an elastic body in small strain",
+          "  set Symmetry = plane stress\n" in pathlib.Path("thin.prm").read_text())
+
     bare = PLATE.replace("*SOLID SECTION, ELSET=Plate, MATERIAL=Steel\n", "")
     convert("bare", bare + "*STEP\n*STATIC\n")
     check("the only material is that of a body without a section",
@@ -241,10 +245,11 @@ FAULTS = (
     ("a coupled element", "CPE4", "CPE4T",
      "elements of type CPE4T are not read", "6, *ELEMENT", TYPES),
     ("prisms", "CPE4, ELSET=Plate\n1, 1, 2, 3, 4",
-     "C3D6, ELSET=Plate\n1, 1, 2, 3, 4, 1, 2",
-     "the mesh has prisms or pyramids (elements of type wedge)",
-     "7, *ELEMENT, TYPE=C3D6", "mesh volumes with tetrahedra of 4 or 10 nodes, or "
-     "with hexahedra of 8, 20 or 27"),
+     "C3D15, ELSET=Plate\n1, 1, 2, 3, 4, 1, 2, 1, 2, 3, 4, 1, 2, 3, 4, 1",
+     "the mesh has prisms or pyramids of second order (elements of type wedge15)",
+     "7, *ELEMENT, TYPE=C3D15", "mesh volumes with tetrahedra of 4 or 10 nodes, "
+     "with hexahedra of 8, 20 or 27, or with prisms and pyramids of first order, "
+     "which contact splits"),
     ("a node that is missing", "1, 2, 3, 4", "1, 2, 3, 17",
      "element 1 has the node 17, which does not exist", "7, *ELEMENT",
      "the deck has 4 nodes, 1 to 4; correct the number"),

@@ -121,6 +121,14 @@ def step_files():
     return case("bare.step", "Body 1", "Body 2", Mesh_Boundaries=POINTS)
 
 
+def repeated_labels():
+    write_step(BLOCKS + "Box(3) = {0, 0, 5, 1, 1, 1};\n", "repeated.step",
+               ("Part", "Part", "Part 1"))
+    said = run("repeated", case("repeated.step", "Part 1", "Part 2"))[1]
+    check("numbers of equal labels go past those that are taken",
+          all(f"Part {k} " in said for k in (1, 2, 3)), said[-900:])
+
+
 def geo_files(parameters):
     for name in ("ssnp154", "sphere_on_block"):
         subprocess.run(["gmsh", "-3", "-format", "msh41", "-o", f"{name}.msh",
@@ -194,6 +202,10 @@ def changes(entries):
                   {**entries, "Mesh/Size": "0.9"}, made)[1]
     check("with smaller cells", len(fine) > 1.3 * len(coarse),
           (len(fine), len(coarse)))
+    coarsest = expect("also one beyond a tenth of the scene", {
+        **entries, "Mesh/Size": "4"}, made)[1]
+    check("with larger cells", 1.3 * len(coarsest) < len(coarse),
+          (len(coarsest), len(coarse)))
     finest = expect("as a size of its own does", {
         **entries, "Mesh/Size": "0.9", "Mesh/Sizes": "Sole: 0.25"}, made)[1]
     on_sole = [sum(abs(z - 2) < 1e-9 and 1 <= x <= 3 and 1 <= y <= 3
@@ -275,6 +287,7 @@ Volume(9) = {9};
 
 blocks = step_files()
 changes(blocks)
+repeated_labels()
 refusals(blocks)
 plane_parts()
 geo_files(pathlib.Path(sys.argv[2]).resolve())

@@ -281,7 +281,9 @@ def main():
     solid = {"pyramid": [([0, 1, 2, 3, 4], ["Solid"])]}
     write_med(med, [[0., 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1]], solid,
               {}, {"pyramid": MED_PYRA5})
-    refuse("a mesh of pyramids", "PY5", med, msh)
+    run = convert(med, msh)
+    check("a mesh of pyramids", "bodies: Solid (1)" in run.stdout,
+          run.stdout + run.stderr)
     tilted = {"triangle": [([0, 1, 2], ["Plate"])]}
     write_med(med, [[0., 0, 0], [1, 0, 0], [0, 1, 1]], tilted, {},
               {"triangle": MED_TRIA3})

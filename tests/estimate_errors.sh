@@ -1,5 +1,5 @@
 #!/bin/sh
-# 'Estimate errors' says of each probe twice its difference from the mesh refined
+# 'Errors = next mesh' says of each probe twice its difference from the mesh refined
 # once, which a run on that mesh tells independently; the values stay those of
 # the first mesh, and the table has a column for the estimates.
 #   estimate_errors.sh CONTACT PARAMETERS
@@ -19,7 +19,7 @@ run() {
 
 run coarse
 run fine --set Mesh/Refinements=1
-run both --set "Probes/Estimate errors=true" >table
+run both --set "Probes/Errors=next mesh" >table
 cat table
 grep -q 'error est. | reference' table
 

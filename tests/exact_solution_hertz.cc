@@ -35,7 +35,7 @@ namespace
     parameters.contact.master = upper_is_slave ? "lower top" : "upper bottom";
     parameters.contact.discretization       = "nodal";
     parameters.contact.friction_coefficient = friction;
-    parameters.solution.n_increments        = 1;
+    parameters.solution.increments          = Parameters::Increments(1);
     return parameters;
   }
 

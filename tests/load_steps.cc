@@ -26,7 +26,7 @@ namespace
     bool exact = true;
     for (const unsigned int n : {1, 3, 7, 10})
       {
-        LoadSteps steps(n, 6);
+        LoadSteps steps(Parameters::Increments(n), 6);
         for (unsigned int k = 1; k <= n; ++k)
           {
             const auto step = steps.next();
@@ -43,11 +43,12 @@ namespace
 
 
   // Proves that a step is cut to half, that steps double again as soon as they
-  // fit, that no increment of the plan is left out, and that the cuts end.
+  // fit, but into the length that has failed behind four alone, that no
+  // increment of the plan is left out, and that the cuts end.
   void check_cuts()
   {
     headline("cuts");
-    LoadSteps steps(2, 3);
+    LoadSteps steps(Parameters::Increments(2), 3);
     check("cut", steps.cut() && steps.next().to == 0.25);
     check("and again", steps.cut() && steps.next().to == 0.125);
     check("and once more", steps.cut() && steps.next().to == 0.0625);
@@ -63,7 +64,7 @@ namespace
     std::cout << std::endl;
 
     // A step that was hard is followed by one of the same length.
-    LoadSteps hard(1, 3);
+    LoadSteps hard(Parameters::Increments(1), 3);
     hard.cut();
     hard.cut();
     hard.accept(3);
@@ -74,7 +75,7 @@ namespace
     check("to the end", hard.next().to == 1);
 
     // Steps that fail beyond half of every increment.
-    LoadSteps    fragile(3, 10);
+    LoadSteps    fragile(Parameters::Increments(3), 10);
     unsigned int n = 0, ends = 0;
     while (!fragile.finished() && ++n < 1000)
       {

@@ -524,7 +524,7 @@ def refusals():
               "Solids/Symmetry": "axisymmetric"}, "along it"),
             ({"Probes/Probes": "F: obstacle force x, Bottom"}, "there is no"),
             ({"Probes/Probes": "F: obstacle force x, Contact",
-              "Probes/Dual weighted residuals": "true"}, "no dual problem")):
+              "Probes/Errors": "dual weighted residuals"}, "no dual problem")):
         status, said, _ = run("refused", {**base, **wrong})
         check(f"refused: {named}", status == 2 and named in said, said)
 

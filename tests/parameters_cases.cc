@@ -105,7 +105,7 @@ const std::string modeling_a = R"json({
     "Probes": {"DY(B)": ["displacement y", "B"], "SIYY(B)": "stress yy, B"},
     "References": {"DY(B)": -1.3069040401077, "SIYY(B)": -3800.4949548283},
     "Tolerances": {"DY(B)": 0.001, "SIYY(B)": 0.001},
-    "Errors": false
+    "Errors": "none"
   },
   "Output": {"VTU": true, "Profile": true}
 })json";

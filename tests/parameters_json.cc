@@ -110,9 +110,9 @@ namespace
           "{\"Solution\": {\"Increments\": 4},\n"
           "\"include\": [\"base.prm\", \"sub/both.prm\"]}");
     const Case result("mixed.json", {"Element/Degree=2"});
-    std::cout << result.error << result.parameters.solution.n_increments << ", "
-              << result.parameters.element.degree << ", " << mesh_file(result)
-              << '\n';
+    std::cout << result.error << result.parameters.solution.increments.size()
+              << ", " << result.parameters.element.degree << ", "
+              << mesh_file(result) << '\n';
 
     report_json("{\n\"include\": \"missing.json\"}");
     report_json("{\"include\": [\"base.prm\",\n\"case.json\"]}");

@@ -107,14 +107,14 @@ namespace
       {
         const Case result(file);
         std::cout << file << ": " << result.error
-                  << result.parameters.solution.n_increments << ", "
+                  << result.parameters.solution.increments.size() << ", "
                   << mesh_file(result) << '\n';
       }
 
     const Case result("own.prm",
                       {"Solution/Increments=5", " Mesh / File = c.msh"});
     std::cout << "command line: " << result.error
-              << result.parameters.solution.n_increments << ", "
+              << result.parameters.solution.increments.size() << ", "
               << mesh_file(result) << '\n';
 
     // An include inside a section continues it.
@@ -122,7 +122,8 @@ namespace
     write("inside.prm",
           base + "subsection Solution\n include entries.prm\nend\n");
     std::cout << "inside a section: " << Case("inside.prm").error
-              << Case("inside.prm").parameters.solution.n_increments << '\n';
+              << Case("inside.prm").parameters.solution.increments.size()
+              << '\n';
   }
 
 

@@ -121,7 +121,7 @@ namespace Tests
               << p.contact.n_gauss_points << ' '
               << p.contact.excluded_points.at(1) << ' '
               << p.contact.friction_coefficient << ' ' << p.contact.tresca_limit
-              << "\nsolution: " << p.solution.n_increments << ' '
+              << "\nsolution: " << p.solution.increments.size() << ' '
               << p.solution.geometry.name() << ' '
               << p.solution.geometry_tolerance << ' '
               << p.solution.friction.name() << ' '

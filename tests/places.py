@@ -338,7 +338,7 @@ def lame():
              "Boundary conditions/Pressure": f"Inner: {p}",
              "Boundary conditions/Displacement x": "N: 0",
              "Boundary conditions/Displacement y": "E: 0, W: 0",
-             "Refinement/Levels": 2, "Probes/Dual weighted residuals": "true"}
+             "Refinement/Levels": 2, "Probes/Errors": "dual weighted residuals"}
 
     def entries(polar):
         places = [(f"P{k}", (r * math.cos(angle), r * math.sin(angle)))

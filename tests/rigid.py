@@ -12,7 +12,8 @@ Proves that
 - a punch that an eccentric force tilts has the forces of one that is moved so,
   and a block in 3-D that is refined adaptively is the same on two processes;
 - a moment that supports and contact share is noted, and what it is of supports;
-- what contradicts it is refused.
+- a plane of symmetry may hold a boundary that turns about its normal: half of
+  the beam takes half of the moment; what contradicts it is refused.
 
 Usage: rigid.py CONTACT PARAMETERS MESHES
 """
@@ -282,8 +283,39 @@ def block_in_space():
           abs(places[1] / places[0] - 1) < 1e-6, f"{places} {said[-300:]}")
 
 
+def half_beam():
+    """Held at its plane of symmetry, turned about the normal of that at its
+    end; and what the plane would not let it do."""
+    for kinematics in ("small strain", "large displacement"):
+        moments = {}
+        for name, low in (("whole", -0.5), ("half", 0.)):
+            beam = Volumes()
+            beam.block("A", (6, 1 if name == "half" else 2, 2),
+                       lambda r, s, t: (4 * r, low + (0.5 - low) * s, t - 0.5))
+            beam.write(name)
+            entries = {**SOLID, "Mesh/File": f"{name}.msh",
+                       "Solids/Poisson's ratio": "A: 0.3",
+                       "Solids/Kinematics": kinematics,
+                       "Mesh/Points": "P: 4, 0.5, 0",
+                       BC + "Displacement x": "A_x0: 0",
+                       BC + "Displacement y": "A_x0: 0" + (
+                           ", A_y0: 0" if name == "half" else ", A_x1: 0"),
+                       BC + "Displacement z": "A_x0: 0",
+                       BC + "Rigid": "A_x1: P", BC + "Rotation y": "A_x1: 0.1",
+                       "Probes/Probes": "M: reaction moment y, A_x1"}
+            status, said, summary = run(name, entries)
+            check(f"{name} of a beam, {kinematics}", status == 0, said[-400:])
+            moments[name] = values(summary)["M"] if status == 0 else math.nan
+        check("half of it takes half of the moment",
+              abs(2 * moments["half"] / moments["whole"] - 1) < 1e-6, moments)
+    status, said, _ = run("refused", {**entries, BC + "Rotation x": "A_x1: 0.1"})
+    check("the plane does not let it twist",
+          status == 2 and "more ways than it has motions" in said, said[-300:])
+
+
 columns()
 turns()
+half_beam()
 punch()
 block_in_space()
 sys.exit(len(failures) > 0)

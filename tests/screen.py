@@ -79,7 +79,7 @@ def without_times(text):
 
 def lines_of_increments():
     # Errors of probes at a corner would be notes, which are on the other stream.
-    write("blocks", {"Probes/Errors": "false"})
+    write("blocks", {"Probes/Errors": "none"})
     status, screen, said = run("blocks")
     check("blocks: converge", status == 0, said)
     lines = screen.splitlines()

@@ -286,7 +286,7 @@ def refusals():
                          ("Solution/System", "saddle point"),
                          ("Solution/Geometry", "Newton"),
                          ("Contact/Obstacle", "circle: 0, 0, 1"),
-                         ("Probes/Dual weighted residuals", "true")):
+                         ("Probes/Errors", "dual weighted residuals")):
         entries = {**base, entry: value}
         if entry.startswith("Probes"):
             entries["Probes/Probes"] = "u: displacement z, Block_111"

@@ -401,8 +401,7 @@ namespace Contact
     EffectEstimate estimate{"increments doubled",
                             false,
                             {"Solution/Increments=" +
-                             std::to_string(2 *
-                                            parameters.solution.n_increments)}};
+                             parameters.solution.increments.doubled().text()}};
     estimate.price = 2;
     if (model.has_friction())
       estimate.unknown = "the shear remembers the way";

@@ -102,6 +102,8 @@ namespace Contact
         variants.add(section + "interference",
                      true,
                      {section + "Interference="});
+      if (!of_pair.preload.empty())
+        variants.add(section + "preload", true, {section + "Preload="});
       if (!of_pair.obstacle_motion.empty())
         variants.add(section + "obstacle motion",
                      true,
@@ -169,18 +171,24 @@ namespace Contact
       const Boundary &boundary       = variants.scene.boundary;
       const auto      for_directions = [&](const std::string &entry,
                                       const auto        &values) {
-        for (const unsigned int c : {0, 1})
-          add_groups(entry + ' ' + "xy"[c], values[c], variants);
+        for (unsigned int c = 0; c < 3; ++c)
+          add_groups(entry + ' ' + "xyz"[c], values[c], variants);
       };
-      for (const unsigned int c : {0, 1})
-        add_displacements(std::string("Displacement ") + "xy"[c],
-                          boundary.displacement[c],
-                          variants);
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          add_displacements(std::string("Displacement ") + "xyz"[c],
+                            boundary.displacement[c],
+                            variants);
+          add_displacements(std::string("Rotation ") + "xyz"[c],
+                            boundary.rotation[c],
+                            variants);
+          add_groups(std::string("Moment ") + "xyz"[c],
+                     boundary.moment[c],
+                     variants);
+        }
       add_displacements("Displacement normal",
                         boundary.displacement_normal,
                         variants);
-      add_displacements("Rotation z", boundary.rotation[2], variants);
-      add_groups("Moment z", boundary.moment[2], variants);
       for_directions("Force", boundary.force);
       for_directions("Resultant force", boundary.resultant_force);
       add_groups("Pressure", boundary.pressure, variants);

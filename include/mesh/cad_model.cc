@@ -144,33 +144,56 @@ namespace Contact
                        [&](const int a, const int b) {
                          return order(a) < order(b);
                        });
+    // Numbers go past names that other parts have.
     for (const auto &[label, tags] : bodies)
-      for (unsigned int i = 0; i < tags.size(); ++i)
-        add_group(dim,
-                  {tags[i]},
-                  (label.empty() ? "Body" : label) +
-                    (label.empty() || tags.size() > 1
-                       ? " " + std::to_string(i + 1)
-                       : ""));
+      {
+        unsigned int number = 0;
+        for (const int tag : tags)
+          {
+            std::string name = label;
+            if (label.empty() || tags.size() > 1)
+              do
+                name = (label.empty() ? "Body" : label) + " " +
+                       std::to_string(++number);
+              while (bodies.count(name) > 0);
+            add_group(dim, {tag}, name);
+          }
+      }
+    parts.swap(bodies);
     bodies = find_groups(dim);
   }
 
 
 
   /// By labels and by points. Faces without a label of their own have that of
-  /// their part.
+  /// their part. Of a part that an assembly has several times gmsh knows the
+  /// labels of the faces of one: the faces of all are in the same order.
   void CadModel::name_boundaries()
   {
-    std::set<std::string> parts = {""};
-    for (const int tag : tags_of(dim))
-      parts.insert(label_of(dim, tag));
-    Groups labelled;
-    for (const int tag : tags_of(dim - 1))
-      if (const auto label = label_of(dim - 1, tag); parts.count(label) == 0)
+    Groups     labelled;
+    const auto label_boundary = [&](const int tag, const int as) {
+      const auto label = label_of(dim - 1, as);
+      if (!label.empty() && parts.count(label) == 0)
         labelled[label].push_back(tag);
-    if (!has_groups)
-      for (const auto &[label, tags] : labelled)
-        add_group(dim - 1, tags, label);
+      return !label.empty() && parts.count(label) == 0;
+    };
+    std::set<int> known;
+    for (const int tag : tags_of(dim - 1))
+      if (!has_groups && label_boundary(tag, tag))
+        known.insert(tag);
+    for (const auto &[part, tags] : parts)
+      for (const int one : tags)
+        for (const int other : tags)
+          {
+            const auto of_one   = adjacent(dim, one).second;
+            const auto of_other = adjacent(dim, other).second;
+            for (unsigned int i = 0; i < of_one.size(); ++i)
+              if (!part.empty() && of_one.size() == of_other.size() &&
+                  known.count(of_one[i]) > 0 && known.count(of_other[i]) == 0)
+                label_boundary(of_other[i], of_one[i]);
+          }
+    for (const auto &[label, tags] : labelled)
+      add_group(dim - 1, tags, label);
     for (const auto &[name, numbers] : parameters.boundaries)
       name_boundary(name, numbers);
     boundaries = find_groups(dim - 1);
@@ -372,12 +395,22 @@ namespace Contact
   void CadModel::write_mesh(const std::string &msh_file)
   {
     // Later versions hand on the size that follows from all else.
+    // A tenth of the diagonal is the largest size that gmsh takes, times its
+    // factor. Where each body has a size, that of points is none.
+    double factor = 1;
+    if (!is_geo || parameters.size > 0)
+      {
+        for (const auto &of_entity : sizes)
+          factor = std::max(factor, 10 * of_entity.second / diagonal());
+        gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
+        gmsh::option::setNumber("Mesh.MeshSizeFactor", factor);
+      }
     gmsh::model::mesh::setSizeCallback(
       [&](int d, int tag, double, double, double, auto... others) {
         const auto   found = sizes.find({d, tag});
         const double size  = found == sizes.end()
                                ? std::numeric_limits<double>::max()
-                               : found->second;
+                               : found->second / factor;
         return std::min({size, static_cast<double>(others)...});
       });
     if (!is_geo && dim == 2) // quadrangles alone, refined one by one

@@ -92,6 +92,7 @@ namespace Contact
     int                        dim;        // of the bodies
     bool                       has_groups; // physical ones, of bodies
     Groups                     bodies, boundaries;
+    Groups                     parts; // bodies by their labels
 
     /// Of bodies, boundaries, curves and points [mm].
     std::map<Entity, double> sizes;

@@ -20,6 +20,7 @@
 #include "base/interruption.h"
 #include "base/string_utilities.h"
 #include "mesh/cad_file.h"
+#include "output/effect_runs.h"
 #include "output/result_files.h"
 #include "output/result_tables.h"
 
@@ -41,7 +42,8 @@ namespace Contact
 
     bool asks_for_refined(const Parameters::All &parameters)
     {
-      return parameters.probes.estimate_errors && !parameters.has_levels();
+      return parameters.probes.errors == Parameters::Errors::next_mesh &&
+             !parameters.has_levels();
     }
 
 
@@ -135,6 +137,19 @@ namespace Contact
 
 
 
+    // With what runs beside the first one have found.
+    void rewrite_summary(const Parameters::All &parameters,
+                         const RunSummary      &summary)
+    {
+      write_on_first_rank(MPI_COMM_WORLD,
+                          parameters.directory() / "summary.json",
+                          [&](std::ostream &out) {
+                            write_summary(summary, out);
+                          });
+    }
+
+
+
     // The parameters in the directory of the refined case would be those of the
     // first.
     RunSummary run_case(const Parameters::All  &parameters,
@@ -142,7 +157,16 @@ namespace Contact
                         const SolveCase        &solve)
     {
       RunSummary summary = solve_robustly(parameters, prm, solve);
-      if (!asks_for_refined(parameters) || !summary.converged)
+      if (!summary.converged)
+        return summary;
+      if (parameters.solution.estimate_effects && summary.in_space)
+        {
+          Parameters::All scene = parameters;
+          scene.in_space        = true;
+          estimate_effects_by_runs(scene, prm, solve, summary);
+          rewrite_summary(parameters, summary);
+        }
+      if (!asks_for_refined(parameters))
         return summary;
       const Parameters::All refined = refined_case(parameters);
       const RunSummary      other   = solve_robustly(refined, prm, solve);
@@ -161,11 +185,7 @@ namespace Contact
               /*is_violated=*/false,
               parameters.name},
              summary.findings);
-      write_on_first_rank(MPI_COMM_WORLD,
-                          parameters.directory() / "summary.json",
-                          [&](std::ostream &out) {
-                            write_summary(summary, out);
-                          });
+      rewrite_summary(parameters, summary);
       return summary;
     }
 

@@ -161,25 +161,26 @@ namespace Contact
     effects_of_bodies(const Parameters::All     &parameters,
                       const Discretization<dim> &discretization)
     {
-      const auto &kinematics = parameters.solids.kinematics;
-      const bool  has_modes  = !parameters.solids.incompatible_modes.empty();
-      return {
-        {"kinematics",
-         kinematics.name() +
-           (discretization.axisymmetric ? ", axisymmetric" : ""),
-         kinematics.all_are(Parameters::Strains::small)
-           ? "one tangent on a mesh"
-           : "a tangent for each Newton step",
-         discretization.axisymmetric ? "Solids/Kinematics, Solids/Symmetry"
-                                     : "Solids/Kinematics"},
-        {"element",
-         parameters.element.degree == 1
-           ? std::string("linear") +
-               (has_modes ? ", with incompatible modes" : "")
-           : "quadratic, " + nodes_of_elements(discretization) + " nodes",
-         std::to_string(discretization.dof_handler.n_dofs()) + " displacements",
-         has_modes ? "Element/Degree, Solids/Incompatible modes"
-                   : "Element/Degree"}};
+      const auto &kinematics   = parameters.solids.kinematics;
+      const auto &symmetry     = parameters.solids.symmetry;
+      const bool  has_symmetry = symmetry != Parameters::Symmetry::plane_strain;
+      const bool  has_modes    = !parameters.solids.incompatible_modes.empty();
+      return {{"kinematics",
+               kinematics.name() + (has_symmetry ? ", " + symmetry.name() : ""),
+               kinematics.all_are(Parameters::Strains::small)
+                 ? "one tangent on a mesh"
+                 : "a tangent for each Newton step",
+               has_symmetry ? "Solids/Kinematics, Solids/Symmetry"
+                            : "Solids/Kinematics"},
+              {"element",
+               parameters.element.degree == 1
+                 ? std::string("linear") +
+                     (has_modes ? ", with incompatible modes" : "")
+                 : "quadratic, " + nodes_of_elements(discretization) + " nodes",
+               std::to_string(discretization.dof_handler.n_dofs()) +
+                 " displacements",
+               has_modes ? "Element/Degree, Solids/Incompatible modes"
+                         : "Element/Degree"}};
     }
 
 
@@ -242,7 +243,7 @@ namespace Contact
          ? "Solution/Linear solver"
          : "Solution/System"});
     effects.push_back({"increments",
-                       std::to_string(parameters.solution.n_increments),
+                       parameters.solution.increments.text(),
                        "each starts from the last one",
                        "Solution/Increments"});
     const bool adaptive =

@@ -73,19 +73,36 @@ namespace Contact
 
 
 
+  void accept_errors(const Parameters::Probes &probes, RunSummary &summary)
+  {
+    const auto requests = probes.requests();
+    for (ProbeResult &probe : summary.probes)
+      {
+        const auto request   = requests.find(probe.name);
+        probe.accepted_error = request != requests.end()
+                                 ? request->second.error_of(probe.value)
+                                 : 0.01 * std::abs(probe.value);
+      }
+  }
+
+
+
   void print_estimated_effects(std::ostream &out, const RunSummary &summary)
   {
     if (summary.effect_estimates.empty())
       return;
     out << "Estimated change of the probes if an effect were taken off, or "
-           "added; price: time of a Newton step by that of the scene\n";
+           "added; price: time of a "
+        << (summary.in_space ? "run" : "Newton step")
+        << " by that of the scene\n";
     for (const ProbeResult &probe : summary.probes)
       {
         out << "  " << probe.name << " = " << probe.value << ' ' << probe.unit
             << ", asked for to " << brief(*probe.accepted_error) << ' '
-            << probe.unit << "; its loops and solvers leave "
-            << brief(*probe.loop_error) << '\n'
-            << "    effect" << std::string(32, ' ') << "     change"
+            << probe.unit;
+        if (probe.loop_error)
+          out << "; its loops and solvers leave " << brief(*probe.loop_error);
+        out << "\n    effect" << std::string(32, ' ') << "     change"
             << std::string(16, ' ') << "price  verdict\n";
         for (const EffectEstimate &estimate : summary.effect_estimates)
           print_line(out, estimate, probe);

@@ -27,6 +27,10 @@ namespace Contact
   /// By the change of a probe and the error that is accepted of it.
   Verdict verdict_on(const EffectEstimate &estimate, const ProbeResult &probe);
 
+  /// The error that is accepted of each probe: 1 % unless an accuracy is asked
+  /// for.
+  void accept_errors(const Parameters::Probes &probes, RunSummary &summary);
+
   /// Print the estimates as a table. Nothing if there are none.
   void print_estimated_effects(std::ostream &out, const RunSummary &summary);
 } // namespace Contact

@@ -164,7 +164,8 @@ namespace Contact
   {
     const RotatedTie<dim> glue(model, state.solution);
     const auto           &output = parameters.output;
-    const bool is_last = is_complete && k == parameters.solution.n_increments;
+    const bool            is_last =
+      is_complete && k == parameters.solution.increments.size();
     if (is_complete)
       {
         TimerOutput::Scope scope(report.timer, "output");

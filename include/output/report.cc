@@ -117,7 +117,7 @@ namespace Contact
     record.load_factor      = load_factor;
     increment_timer.restart();
     log << "Increment " << increment << " of "
-        << parameters.solution.n_increments << ", t = " << load_factor
+        << parameters.solution.increments.size() << ", t = " << load_factor
         << std::endl;
   }
 
@@ -337,16 +337,10 @@ namespace Contact
   void Report<dim>::record(const std::vector<EffectEstimate>   &effects,
                            const std::map<std::string, double> &loop_errors)
   {
-    const auto requests      = parameters.probes.requests();
     summary.effect_estimates = effects;
+    accept_errors(parameters.probes, summary);
     for (ProbeResult &probe : summary.probes)
-      {
-        const auto request   = requests.find(probe.name);
-        probe.loop_error     = std::abs(loop_errors.at(probe.name));
-        probe.accepted_error = request != requests.end()
-                                 ? request->second.error_of(probe.value)
-                                 : 0.01 * std::abs(probe.value);
-      }
+      probe.loop_error = std::abs(loop_errors.at(probe.name));
   }
 
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/dimension.h"
 #include "base/string_utilities.h"
 #include "output/notes.h"
 #include "solvers/direct/definite_solver.h"
@@ -37,9 +38,14 @@ namespace Contact
             const SurfaceFacet<dim> &facet     = surface.facets[e];
             const unsigned int       n_corners = facet.kind->n_vertices;
             Tensor<1, dim>           centre;
+            FacetNodes<dim>          X;
+            for (unsigned int a = 0; a < facet.n_nodes(); ++a)
+              X[a] = surface.nodes[facet.nodes[a]].X;
             for (unsigned int a = 0; a < n_corners; ++a)
-              centre += surface.nodes[facet.nodes[a]].X / n_corners;
-            const double rise  = (facet.middle - centre).norm();
+              centre += X[a] / n_corners;
+            const auto normal =
+              facet_normal<dim>(*facet.kind, X, facet.kind->middle);
+            const double rise  = std::abs((facet.middle - centre) * normal);
             const double chord = surface.nodes[facet.nodes[0]].X.distance(
               surface.nodes[facet.nodes[n_corners - 1]].X);
             const double parabola = rise * std::pow(rise / chord, 2);
@@ -329,6 +335,34 @@ namespace Contact
 
 
 
+  namespace
+  {
+    // By as much as that of their energy such cells are too stiff.
+    template<int dim>
+    void add_notes_on_bending(const ContactModel<dim> &model,
+                              const GhostedVector     &solution,
+                              Findings                &findings)
+    {
+      const double much = 0.1;
+      for (const auto &[name, body] : model.mesh->bodies)
+        {
+          const double missing =
+            model.elasticity->missing_modes(solution, body);
+          const double energy = model.elasticity->strain_energy(solution, body);
+          if (missing > much * energy)
+            findings.push_back(
+              {"the linear " + std::string(Dimension<dim>::hypercubes) +
+               " of '" + name +
+               "' are too stiff in bending: " + brief(100 * missing / energy) +
+               " % of its strain energy would be gone if they could bend. Set "
+               "'Degree = 2', or 'Incompatible modes = " +
+               name + "'"});
+        }
+    }
+  } // namespace
+
+
+
   template<int dim>
   Findings notes_on_result(const ContactModel<dim> &model,
                            const Parameters::All   &parameters,
@@ -338,6 +372,7 @@ namespace Contact
     Findings findings;
     add_note_on_solver(parameters, model, findings);
     findings.push_back({beyond_small_strain(model, solution)});
+    add_notes_on_bending(model, solution, findings);
     if (!model.interface)
       return findings;
     add_notes_on_roundness(parameters, model, solution, findings);

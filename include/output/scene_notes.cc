@@ -39,19 +39,19 @@ namespace Contact
     // turns back in between, its peak is never there.
     void add_note_on_history(const std::string                   &entry,
                              const std::function<double(double)> &history,
-                             const unsigned int                   n,
+                             const Parameters::Increments        &increments,
                              Findings                            &findings)
     {
       const unsigned int n_samples = 32; // of an increment
       double             size = 0, missed = 0, where = 0;
-      for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int k = 0; k < increments.size(); ++k)
         {
-          const double first = history(1. * k / n);
-          const double last  = history((k + 1.) / n);
+          const double first = history(increments.at(k));
+          const double last  = history(increments.at(k + 1));
           size = std::max({size, std::abs(first), std::abs(last)});
           for (unsigned int i = 1; i < n_samples; ++i)
             {
-              const double t      = (k + 1. * i / n_samples) / n;
+              const double t      = increments.at(k + 1. * i / n_samples);
               const double factor = history(t);
               const double beyond = std::max(factor - std::max(first, last),
                                              std::min(first, last) - factor);
@@ -77,7 +77,7 @@ namespace Contact
                                 const Discretization<dim> &discretization,
                                 Findings                  &findings)
     {
-      const unsigned int n = parameters.solution.n_increments;
+      const auto &increments = parameters.solution.increments;
       for (const auto &[entry, is_set] :
            parameters.boundary.entries_with_history())
         if (is_set && parameters.boundary.histories.count(entry) > 0)
@@ -86,7 +86,7 @@ namespace Contact
             [&, &entry = entry](const double t) {
               return discretization.factor(entry, t);
             },
-            n,
+            increments,
             findings);
       for (const auto &contact_pair : parameters.pairs())
         for (const auto &[motion, formula] : contact_pair.obstacle_motion)
@@ -97,7 +97,7 @@ namespace Contact
             add_note_on_history(
               entry + " " + motion,
               [&](const double t) { return history(Point<1>(t)); },
-              n,
+              increments,
               findings);
           }
     }

@@ -28,12 +28,14 @@ namespace Contact
     enum class Symmetry
     {
       plane_strain,
+      plane_stress,
       axisymmetric
     };
 
     inline NamedValues<Symmetry> named_values(const Symmetry)
     {
       return {{"plane strain", Symmetry::plane_strain},
+              {"plane stress", Symmetry::plane_stress},
               {"axisymmetric", Symmetry::axisymmetric}};
     }
 
@@ -235,6 +237,26 @@ namespace Contact
               {"AMG", SolverKind::amg},
               {"GMG", SolverKind::gmg},
               {"MUMPS", SolverKind::mumps}};
+    }
+
+
+
+    /// The errors of probes: where a run has them from, beside the values of
+    /// its levels.
+    enum class Errors
+    {
+      automatic, // from the tangent at hand, where that is cheap
+      none,
+      dual_weighted_residuals,
+      next_mesh
+    };
+
+    inline NamedValues<Errors> named_values(const Errors)
+    {
+      return {{"automatic", Errors::automatic},
+              {"none", Errors::none},
+              {"dual weighted residuals", Errors::dual_weighted_residuals},
+              {"next mesh", Errors::next_mesh}};
     }
 
 

@@ -189,6 +189,11 @@ namespace Contact
       check_tolerance(friction_tolerance, 0.1, "Solution/Friction tolerance");
       check_tolerance(newton_tolerance, 0.01, "Solution/Newton tolerance");
       check_positive(linear_tolerance, "Solution/Linear tolerance");
+      if (!increments.are_ascending())
+        throw EntryError("The load factors of the increments do not ascend "
+                         "from above 0 to 1.",
+                         {"Solution/Increments"},
+                         "list where each of them ends: '0.01, 0.1, 1'");
       if (linear_tolerance >= 1)
         throw EntryError("The linear tolerance is not below 1.",
                          {"Solution/Linear tolerance"},

@@ -91,7 +91,7 @@ namespace Contact
     All::missing_derivative(const std::string &entry) const
     {
       const std::string remedy =
-        "set 'Estimate errors = true', or compare two runs";
+        "set 'Errors = next mesh', or compare two runs";
       for (const Contact &contact_pair : pairs())
         if (contact_pair.has_free_motion())
           return EntryError("There is no dual problem for motions that follow "
@@ -124,8 +124,7 @@ namespace Contact
     std::optional<EntryError>
     All::missing_dual_problem(const std::string &entry) const
     {
-      const std::string other = "set 'Estimate errors = true', which solves on "
-                                "the next mesh, or compare two runs";
+      const std::string other = "set 'Errors = next mesh', or compare two runs";
       if (in_space)
         return EntryError("Dual problems are those of a plane mesh.",
                           {entry},
@@ -144,7 +143,7 @@ namespace Contact
                             shared->discretization.name() + ".",
                           {entry, shared->section() + "/Discretization"},
                           "set 'Discretization = mortar' or 'Discretization = "
-                          "nodal', or 'Estimate errors = true' instead");
+                          "nodal', or 'Errors = next mesh' instead");
       for (const auto &[name, probe] : probes.definitions())
         if (!has_dual_problem(probe.quantity))
           return EntryError("There is no dual problem for the " +
@@ -152,7 +151,7 @@ namespace Contact
                               "'.",
                             {entry, "Probes/Probes"},
                             "ask for displacements of the boundary, or set "
-                            "'Estimate errors = true' instead");
+                            "'Errors = next mesh' instead");
       return missing_derivative(entry);
     }
 
@@ -160,10 +159,15 @@ namespace Contact
 
     void All::check_dual_problems() const
     {
-      if (probes.dual_weighted_residuals)
-        if (const auto missing =
-              missing_dual_problem("Probes/Dual weighted residuals"))
+      if (probes.errors == Errors::dual_weighted_residuals)
+        if (const auto missing = missing_dual_problem("Probes/Errors"))
           throw EntryError(*missing);
+    }
+
+
+
+    void All::check_effects_in_plane() const
+    {
       if (!solution.estimate_effects)
         return;
       const std::string entry = "Solution/Estimate effects";

@@ -181,9 +181,10 @@ namespace Contact
 
     bool All::solves_dual_problems() const
     {
-      const bool by_default = probes.errors && !probes.probes.empty() &&
-                              !has_levels() && !probes.estimate_errors;
-      return probes.dual_weighted_residuals || follows_goals() ||
+      const bool by_default = probes.errors == Errors::automatic &&
+                              !probes.probes.empty() && !has_levels();
+      return probes.errors == Errors::dual_weighted_residuals ||
+             follows_goals() ||
              (by_default && !missing_dual_problem("Probes/Errors"));
     }
 
@@ -191,11 +192,15 @@ namespace Contact
 
     std::string All::missing_errors() const
     {
-      if (!probes.errors || has_levels() || probes.estimate_errors ||
+      if (probes.errors != Errors::automatic || has_levels() ||
           solves_dual_problems())
         return "";
       const auto missing = missing_dual_problem("Probes/Errors");
-      return missing ? missing->problem : "";
+      return missing ? missing->problem +
+                         (in_space ? " 'Levels' or 'Errors = next mesh' tell "
+                                     "them there."
+                                   : "")
+                     : "";
     }
 
 

@@ -106,6 +106,10 @@ namespace Contact
       /// and so does the mesh refined once, if there is a run on it.
       bool solves_dual_problems() const;
 
+      /// Whether effects can be estimated from the state of a plane scene, if
+      /// they are to be. Throws EntryError.
+      void check_effects_in_plane() const;
+
       /// Why nothing tells the errors of probes on a single mesh, or nothing.
       std::string missing_errors() const;
 

@@ -92,8 +92,10 @@ namespace Contact
     void Element::add_parameters(ParameterHandler &prm)
     {
       prm.enter_subsection("Element");
+      // The action follows at once: what is declared is what there is.
       prm.declare_entry("Degree",
-                        "automatic",
+                        degree_is_automatic ? "automatic"
+                                            : std::to_string(degree),
                         Patterns::Selection(Choice<Degree>::names()),
                         "Polynomial degree of the displacements [-]; "
                         "automatic: 2 of a mesh with tetrahedra, which are "
@@ -126,13 +128,15 @@ namespace Contact
                         poisson,
                         "'body: nu' [-], separated by ','; the same bodies "
                         "as in Young's modulus, -1 < nu < 0.5.");
-      prm.add_parameter("Symmetry",
-                        symmetry,
-                        "2-D idealization [-]; plane strain: the mesh is a "
-                        "slice of 1 mm; axisymmetric: rings about the axis x "
-                        "= 0, x >= 0 being the radius, without torsion. Forces "
-                        "are then those of whole rings [N], stress zz is that "
-                        "of the hoops, and u_x = 0 on the axis.");
+      prm.add_parameter(
+        "Symmetry",
+        symmetry,
+        "2-D idealization [-]; plane strain: the mesh is a "
+        "slice of 1 mm; plane stress: elastic bodies in small "
+        "strain, free to become thinner; axisymmetric: rings about the axis x "
+        "= 0, x >= 0 being the radius, without torsion. Forces "
+        "are then those of whole rings [N], stress zz is that "
+        "of the hoops, and u_x = 0 on the axis.");
       prm.add_parameter("Kinematics",
                         kinematics,
                         "How the bodies move [-]; large displacement: Green "

@@ -29,9 +29,10 @@ namespace Contact
     void Solution::add_increments(ParameterHandler &prm)
     {
       prm.add_parameter("Increments",
-                        n_increments,
-                        "Equal steps to the full load [-].",
-                        Patterns::Integer(1));
+                        increments,
+                        "The number of equal steps to the full load [-], or "
+                        "the load factors t where they end, separated by ',' "
+                        "and the last one 1: '0.01, 0.1, 1'.");
       prm.add_parameter("Max cut-backs",
                         max_cuts,
                         "How often an increment that does not converge is cut "
@@ -213,17 +214,15 @@ namespace Contact
 
     void Probes::add_errors(ParameterHandler &prm)
     {
-      prm.add_parameter("Errors",
-                        errors,
-                        "Estimate the discretization error of the probes [-]: "
-                        "of levels by their values, of a single mesh in 2-D by "
-                        "a dual problem for each of them.");
-      prm.add_parameter("Estimate errors",
-                        estimate_errors,
-                        "Estimate the discretization error of the probes [-]. "
-                        "With several levels that costs nothing and is always "
-                        "done; without, the case is solved once more on the "
-                        "mesh refined once.");
+      prm.add_parameter(
+        "Errors",
+        errors,
+        "What estimates the discretization error of the probes [-]; "
+        "automatic: levels by their values, a single mesh in 2-D by a "
+        "dual problem for each probe where that costs little; dual "
+        "weighted residuals: that on each level, whatever it costs; "
+        "next mesh: of a single mesh, the same scene on the mesh "
+        "refined once; none.");
       prm.add_parameter(
         "Accuracy",
         accuracy,
@@ -232,11 +231,6 @@ namespace Contact
         "estimated errors of these probes are no larger, or a "
         "limit is reached; without 'Levels', as often as it "
         "takes [%, mm, MPa].");
-      prm.add_parameter("Dual weighted residuals",
-                        dual_weighted_residuals,
-                        "Estimate the discretization error of the probes on "
-                        "each level by a dual problem for each of them [-]: "
-                        "one factorization and one linear solve a probe.");
     }
 
 

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "parameters/increments.h"
 #include "parameters/quantities.h"
 
 namespace Contact
@@ -26,8 +27,8 @@ namespace Contact
     /// Increments and the nested loops inside them.
     struct Solution
     {
-      unsigned int n_increments = 2;
-      unsigned int max_cuts     = 6; // of an increment to half
+      Increments   increments{2};
+      unsigned int max_cuts = 6; // of an increment to half
 
       /// See All::geometry().
       Choice<GeometryLoop> geometry           = GeometryLoop::automatic;
@@ -123,14 +124,8 @@ namespace Contact
       std::map<std::string, double> references;
       std::map<std::string, double> tolerances;
 
-      /// Estimate the discretization error of the probes, by what the run has.
-      bool errors = true;
-
-      /// Estimate it on a refined mesh.
-      bool estimate_errors = false;
-
-      /// Estimate it by dual weighted residuals, see GoalErrors.
-      bool dual_weighted_residuals = false;
+      /// What estimates the discretization error of the probes.
+      Choice<Errors> errors = Errors::automatic;
 
       /// Name -> the error that is accepted, with its unit: %, mm or MPa.
       std::map<std::string, std::string> accuracy;

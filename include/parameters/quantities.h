@@ -183,7 +183,7 @@ namespace Contact
           case Quantity::obstacle_force_y:
           case Quantity::obstacle_force_z:
           case Quantity::preload:
-            return symmetry == Symmetry::plane_strain && !in_space ? "N/mm"
+            return symmetry != Symmetry::axisymmetric && !in_space ? "N/mm"
                                                                    : "N";
           case Quantity::plastic_strain:
             return "-";
@@ -198,7 +198,7 @@ namespace Contact
           case Quantity::obstacle_moment_y:
           case Quantity::obstacle_moment_z:
           case Quantity::strain_energy:
-            return symmetry == Symmetry::plane_strain && !in_space ? "N mm/mm"
+            return symmetry != Symmetry::axisymmetric && !in_space ? "N mm/mm"
                                                                    : "N mm";
         }
       AssertThrow(false, ExcInternalError());

@@ -44,6 +44,15 @@ namespace Contact
       for (const auto &[body, history] : thermal_strain)
         check_history(history, "Solids/Thermal strain");
       check_modes();
+      if (symmetry == Symmetry::plane_stress &&
+          (!is_elastic() || !kinematics.all_are(Strains::small) ||
+           !thermal_strain.empty()))
+        throw EntryError("Plane stress is that of elastic bodies in small "
+                         "strain, without thermal strains.",
+                         {"Solids/Symmetry"},
+                         "set 'Kinematics = small strain', which follows "
+                         "contact on deformed surfaces as well, or mesh the "
+                         "body as a plate in 3-D");
     }
 
 

@@ -27,9 +27,9 @@ namespace Contact::Parameters
 
   All All::for_space(const bool has_tetrahedra) const
   {
-    refuse(solids.symmetry == Symmetry::axisymmetric,
+    refuse(solids.symmetry != Symmetry::plane_strain,
            "Solids/Symmetry",
-           "a section of a ring has none",
+           "it is one of a section",
            "remove the entry, or mesh the section: gmsh -2");
     refuse(solution.system == SystemKind::saddle_point,
            "Solution/System",
@@ -46,14 +46,15 @@ namespace Contact::Parameters
                "the Gauss-point discretization is one for the plane",
                "take the mortar or the nodal discretization");
       }
-    refuse(probes.dual_weighted_residuals,
-           "Probes/Dual weighted residuals",
+    refuse(probes.errors == Errors::dual_weighted_residuals,
+           "Probes/Errors",
            "dual problems are those of a plane mesh",
-           "set 'Estimate errors', which solves on the next mesh");
-    refuse(solution.estimate_effects,
-           "Solution/Estimate effects",
-           "effects are estimated in 2-D alone",
-           "compare two runs");
+           "set 'Errors = next mesh', or 'Levels'");
+    refuse(solution.estimate_effects && refinement.n_levels > 0 &&
+             refinement.strategy == Strategy::adaptive,
+           "Refinement/Strategy",
+           "effects there are differences of runs on the same meshes",
+           "set 'Strategy = uniform', or 'Estimate effects = false'");
     All all      = *this;
     all.in_space = true;
     if (has_tetrahedra && element.degree_is_automatic)

@@ -60,72 +60,81 @@ namespace Contact
         }
       return modes;
     }
+  } // namespace
 
 
 
-    /// See CellIntegrals. Modified Gram and Schmidt again.
-    template<int dim>
-    auto stress_modes(const Quadrature<dim> &quadrature,
-                      const CellTable<dim>  &cell)
-    {
-      const unsigned int n = quadrature.size();
-      std::vector<std::array<SymmetricTensor<2, 3>, dim * dim>> modes(n);
+  // Modified Gram and Schmidt again.
+  template<int dim>
+  std::vector<std::array<SymmetricTensor<2, 3>, dim * dim>>
+  stress_modes(const Quadrature<dim> &quadrature, const CellTable<dim> &cell)
+  {
+    const unsigned int n = quadrature.size();
+    std::vector<std::array<SymmetricTensor<2, 3>, dim * dim>> modes(n);
 
-      // Linear in each coordinate: the value in the centre is the mean.
-      std::vector<Tensor<2, dim>> J;
-      Tensor<2, dim>              J_0;
-      for (const Tensor<2, dim> &map : cell.gradient_maps)
-        {
-          J.push_back(invert(transpose(map)));
-          J_0 += J.back() / n;
-        }
-      const Tensor<2, dim> map_0 = invert(transpose(J_0));
+    // Linear in each coordinate: the value in the centre is the mean.
+    std::vector<Tensor<2, dim>> J;
+    Tensor<2, dim>              J_0;
+    for (const Tensor<2, dim> &map : cell.gradient_maps)
+      {
+        J.push_back(invert(transpose(map)));
+        J_0 += J.back() / n;
+      }
+    const Tensor<2, dim> map_0 = invert(transpose(J_0));
 
-      const auto product = [&](const unsigned int m, const unsigned int k) {
-        double sum = 0;
-        for (unsigned int q = 0; q < n; ++q)
-          sum +=
-            cell.JxW[q] * (modes[q][m] * cell.material->stress(modes[q][k]));
-        return sum;
-      };
-      unsigned int m = 0;
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = i; j < dim; ++j)
-          for (const unsigned int k : std::set<unsigned int>{i, j})
-            {
-              SymmetricTensor<2, dim> unit;
-              unit[i][j] = 1;
-              const auto strain =
-                symmetrize(map_0 * Tensor<2, dim>(unit) * transpose(map_0));
-              SymmetricTensor<2, 3> mean;
-              for (unsigned int q = 0; q < n; ++q)
-                {
-                  for (unsigned int d = 0; d < dim; ++d)
-                    for (unsigned int e = d; e < dim; ++e)
-                      modes[q][m][d][e] = (quadrature.point(q)[k] - 0.5) /
-                                          determinant(J[q]) * strain[d][e];
-                  mean += cell.JxW[q] * modes[q][m];
-                }
-              mean /= std::accumulate(cell.JxW.begin(), cell.JxW.end(), 0.);
-              for (auto &mode : modes)
-                mode[m] -= mean;
-              for (unsigned int l = 0; l < m; ++l)
-                {
-                  const double part = product(m, l);
-                  for (auto &mode : modes)
-                    mode[m] -= part * mode[l];
-                }
-              const double norm = std::sqrt(product(m, m));
-              for (auto &mode : modes)
-                mode[m] /= norm;
-              ++m;
-            }
-      for (auto &mode : modes)
-        for (auto &strain : mode)
-          strain = cell.material->stress(strain);
-      return modes;
-    }
+    const auto product = [&](const unsigned int m, const unsigned int k) {
+      double sum = 0;
+      for (unsigned int q = 0; q < n; ++q)
+        sum += cell.JxW[q] * (modes[q][m] * cell.material->stress(modes[q][k]));
+      return sum;
+    };
+    unsigned int m = 0;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = i; j < dim; ++j)
+        for (const unsigned int k : std::set<unsigned int>{i, j})
+          {
+            SymmetricTensor<2, dim> unit;
+            unit[i][j] = 1;
+            const auto strain =
+              symmetrize(map_0 * Tensor<2, dim>(unit) * transpose(map_0));
+            SymmetricTensor<2, 3> mean;
+            for (unsigned int q = 0; q < n; ++q)
+              {
+                for (unsigned int d = 0; d < dim; ++d)
+                  for (unsigned int e = d; e < dim; ++e)
+                    modes[q][m][d][e] = (quadrature.point(q)[k] - 0.5) /
+                                        determinant(J[q]) * strain[d][e];
+                mean += cell.JxW[q] * modes[q][m];
+              }
+            mean /= std::accumulate(cell.JxW.begin(), cell.JxW.end(), 0.);
+            for (auto &mode : modes)
+              mode[m] -= mean;
+            for (unsigned int l = 0; l < m; ++l)
+              {
+                const double part = product(m, l);
+                for (auto &mode : modes)
+                  mode[m] -= part * mode[l];
+              }
+            const double norm = std::sqrt(product(m, m));
+            for (auto &mode : modes)
+              mode[m] /= norm;
+            ++m;
+          }
+    for (auto &mode : modes)
+      for (auto &strain : mode)
+        strain = cell.material->stress(strain);
+    return modes;
+  }
 
+  template std::vector<std::array<SymmetricTensor<2, 3>, 4>>
+  stress_modes(const Quadrature<2> &, const CellTable<2> &);
+  template std::vector<std::array<SymmetricTensor<2, 3>, 9>>
+  stress_modes(const Quadrature<3> &, const CellTable<3> &);
+
+
+
+  namespace
+  {
 
 
     /// The unknowns of the free nodes, and their shape functions. A bound node

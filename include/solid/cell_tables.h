@@ -109,6 +109,12 @@ namespace Contact
     std::map<Pattern, UnitGradients<dim>> unit_gradients;
   };
 
+  /// The stresses of the incompatible modes of a cell, by point: see
+  /// CellIntegrals.
+  template<int dim>
+  std::vector<std::array<SymmetricTensor<2, 3>, dim * dim>>
+  stress_modes(const Quadrature<dim> &quadrature, const CellTable<dim> &cell);
+
   /// Tabulate the cells. Those of bodies that are @p projected get modes: dim +
   /// 1 in quadrangles and hexahedra of degree 2, one in others; those of @p
   /// enhanced ones stress modes. Throws InputError if a triangle is enhanced.

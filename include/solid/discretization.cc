@@ -93,13 +93,13 @@ namespace Contact
                        "remove the entry, or mesh the section");
 
     // Their values at once, not in the middle of a long run.
-    const unsigned int n = parameters.solution.n_increments;
+    const auto &increments = parameters.solution.increments;
     for (const auto &[entry, formula] : boundary.histories)
       {
         histories[entry] =
           parse_history(formula, "Boundary conditions/Histories");
-        for (unsigned int i = 1; i <= n; ++i)
-          factor(entry, i / double(n));
+        for (unsigned int i = 1; i <= increments.size(); ++i)
+          factor(entry, increments.at(i));
       }
     if (axisymmetric)
       check_radii();

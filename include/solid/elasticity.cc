@@ -6,6 +6,7 @@
 #include "solid/elasticity.h"
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <array>
@@ -103,6 +104,7 @@ namespace Contact
     , thermal_strains(parse_thermal_strains(discretization.mesh, parameters))
     , tables(tabulate_cells(discretization, materials, projected, enhanced))
     , springs(discretization, tables.own)
+    , is_plane_stress(parameters.symmetry == Parameters::Symmetry::plane_stress)
   {
     for (auto *part : {&tables.own, &tables.neighbors})
       for (CellTable<dim> &cell : *part)
@@ -363,8 +365,21 @@ namespace Contact
       discretization.mesh.triangulation.n_active_cells());
     for (const auto *part : {&tables.own, &tables.neighbors})
       for (const CellTable<dim> &cell : *part)
-        stresses[cell.active_index] =
-          cell.kernel->stresses(cell, u.extract(cell.dofs));
+        stresses[cell.active_index] = stresses_in(cell, u);
+    return stresses;
+  }
+
+
+
+  template<int dim>
+  std::vector<SymmetricTensor<2, 3>>
+  Elasticity<dim>::stresses_in(const CellTable<dim> &cell,
+                               const GhostedVector  &u) const
+  {
+    auto stresses = cell.kernel->stresses(cell, u.extract(cell.dofs));
+    if (is_plane_stress)
+      for (SymmetricTensor<2, 3> &stress : stresses)
+        stress[2][2] = 0;
     return stresses;
   }
 
@@ -386,7 +401,7 @@ namespace Contact
                                              return table.active_index < index;
                                            });
         if (cell != part->end() && cell->active_index == active_index)
-          return cell->kernel->stresses(*cell, u.extract(cell->dofs));
+          return stresses_in(*cell, u);
       }
     Assert(false, ExcMessage("The cell is of another rank."));
     return {};
@@ -403,6 +418,32 @@ namespace Contact
     for (const CellTable<dim> &cell : tables.own)
       if (!body || cell.body == *body)
         energy += cell.kernel->energy(cell, u.extract(cell.dofs));
+    return Utilities::MPI::sum(energy, discretization.communicator);
+  }
+
+
+
+  // Of the modes, orthonormal in the energy, a cell would take alpha.
+  template<int dim>
+  double Elasticity<dim>::missing_modes(const GhostedVector     &u,
+                                        const types::material_id body) const
+  {
+    double energy = 0;
+    if (discretization.degree == 1 && laws.at(body)->is_linear() &&
+        enhanced.count(body) == 0 && projected.count(body) == 0)
+      for (const CellTable<dim> &cell : tables.own)
+        if (cell.body == body && cell.JxW.size() == Utilities::pow(2, dim))
+          {
+            const auto modes = stress_modes<dim>(QGauss<dim>(2), cell);
+            const auto strains =
+              cell.kernel->strains(cell, u.extract(cell.dofs));
+            std::array<double, dim * dim> alpha{};
+            for (unsigned int q = 0; q < strains.size(); ++q)
+              for (unsigned int m = 0; m < alpha.size(); ++m)
+                alpha[m] += cell.JxW[q] * (modes[q][m] * strains[q]);
+            for (const double of_mode : alpha)
+              energy += 0.5 * of_mode * of_mode;
+          }
     return Utilities::MPI::sum(energy, discretization.communicator);
   }
 

@@ -174,6 +174,12 @@ namespace Contact
     strain_energy(const GhostedVector                    &u,
                   const std::optional<types::material_id> body = {}) const;
 
+    /// The part of the energy of an elastic body that its quadrangles or
+    /// hexahedra of degree 1 would not have if they could bend, by incompatible
+    /// modes: those that bend are too stiff. Zero of all others. Collective.
+    double missing_modes(const GhostedVector     &u,
+                         const types::material_id body) const;
+
     /// Add the derivative of the energy of a body, its internal forces, times
     /// @p factor. Of several ranks each adds its own part.
     void add_internal_forces(const types::material_id body,
@@ -361,6 +367,12 @@ namespace Contact
     /// The springs at the cells, which are part of their residual and of their
     /// tangent, whoever visits them.
     StabilizationSprings<dim> springs;
+
+  private:
+    std::vector<SymmetricTensor<2, 3>>
+    stresses_in(const CellTable<dim> &cell, const GhostedVector &u) const;
+
+    const bool is_plane_stress;
   };
 } // namespace Contact
 

@@ -127,18 +127,39 @@ namespace Contact
 
 
   // Supports of single nodes take the place of leaders. Where there are more
-  // than motions, they have to say the same.
+  // than motions, they have to say the same as the motion that is prescribed:
+  // in a plane of symmetry, nothing of a turn about its normal.
   template<int dim>
   void Discretization<dim>::choose_rigid_leaders(RigidBoundary<dim> &boundary)
   {
     Tensor<2, 3> none;
     for (unsigned int k = 0; k < 3; ++k)
       none[k][k] = 1;
-    const auto targets = this->targets(boundary, /*load_factor=*/1);
-    for (const auto dof :
-         boundary.choose_leaders({{}, none}, targets, rigid_held))
-      if (prescribed.at(dof).is_moved() ||
-          targets.value != typename RigidBoundary<dim>::PerMotion())
+    const auto others =
+      boundary.choose_leaders({{}, none},
+                              this->targets(boundary, /*load_factor=*/1),
+                              rigid_held);
+    if (others.empty())
+      return;
+    const auto resting = [&](const double load_factor) {
+      const auto    supports = motion_of_supports(load_factor);
+      GhostedVector u(dof_handler.n_dofs());
+      for (const auto held : rigid_held)
+        u[held] = prescribed.at(held).at(supports);
+      const auto motion =
+        boundary.motion(u, this->targets(boundary, load_factor));
+      const double round_off = 1e-8 * (boundary.extent() + motion.U.norm());
+      std::set<types::global_dof_index> dofs;
+      for (const auto &node : boundary.nodes)
+        for (unsigned int c = 0; c < dim; ++c)
+          if (std::abs(boundary.displacement(motion, node)[c]) <= round_off)
+            dofs.insert(node.dofs[c]);
+      return dofs;
+    };
+    const auto at_half = resting(0.5), at_end = resting(1);
+    for (const auto dof : others)
+      if (prescribed.at(dof).is_moved() || at_half.count(dof) == 0 ||
+          at_end.count(dof) == 0)
         throw InputError("the rigid boundary '" + boundary.name +
                            "' is moved in more ways than it has motions",
                          entry + ", Displacement x",

@@ -36,9 +36,9 @@ namespace Contact
     , parameters(parameters)
   {
     start.displacement = GhostedVector(discretization.distribution);
-    for (unsigned int k = 1; k <= parameters.n_increments; ++k)
+    for (unsigned int k = 1; k <= parameters.increments.size(); ++k)
       {
-        const double t    = static_cast<double>(k) / parameters.n_increments;
+        const double t    = parameters.increments.at(k);
         double       load = elasticity.dead_loads.magnitude(t);
         if (interface != nullptr)
           for (const FreeMotion *motion : interface->motions.free)

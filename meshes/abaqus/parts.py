@@ -37,10 +37,14 @@ EDGES = {"line": ((0, 1),),
          "triangle": ((0, 1), (1, 2), (2, 0)),
          "quad": ((0, 1), (1, 2), (2, 3), (3, 0)),
          "tetra": ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)),
+         "wedge": ((0, 1), (1, 2), (2, 0), (3, 4), (4, 5), (5, 3), (0, 3),
+                   (1, 4), (2, 5)),
          "hexahedron": ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7),
                         (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))}
 FACES = {"line": (), "triangle": EDGES["triangle"], "quad": EDGES["quad"],
          "tetra": ((0, 1, 2), (0, 3, 1), (1, 3, 2), (2, 3, 0)),
+         "wedge": ((0, 1, 2), (3, 5, 4), (0, 3, 4, 1), (1, 4, 5, 2),
+                   (2, 5, 3, 0)),
          "hexahedron": ((0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2),
                         (2, 6, 7, 3), (3, 7, 4, 0))}
 
@@ -223,8 +227,7 @@ class Deck:
         code = block.need("TYPE").upper()
         kind = shape_of(code, block)
         digits = re.search(r"\d+$", kind)
-        n = int(digits[0]) if digits else {
-            "tetra": 4, "wedge": 6, "hexahedron": 8}.get(kind) or TYPES[kind][2]
+        n = int(digits[0]) if digits else TYPES[kind][2]
         own = block.options.get("ELSET", "")
         group = scope.set("element", own).members if own else []
         for row in whole_rows(block, n):

@@ -156,10 +156,13 @@ def put_elements(case: Case, bodies: list[Body]) -> None:
                                "take one family in a deck")
     if families == {"CAX"}:
         case.put("Solids", "Symmetry", "axisymmetric")
+    is_stress = not case.large and not any(body.is_plastic for body in bodies)
+    if families == {"CPS"} and is_stress:
+        case.put("Solids", "Symmetry", "plane stress")
     for code, cell in sorted(first.items()):
-        if code.startswith("CPS"):
-            case.leave(cell.row, f"{code}: there is no plane stress, this case is "
-                       "plane strain")
+        if code.startswith("CPS") and not is_stress:
+            case.leave(cell.row, f"{code}: plane stress is that of elastic bodies "
+                       "in small strain, this case is plane strain")
         if code.endswith(("R", "RH")):
             case.leave(cell.row, f"{code}: reduced integration; cells are "
                        "integrated in full")

@@ -143,7 +143,7 @@ namespace Tests
                                                                           : -1.;
       add_half_planes(hertz,
                       mu,
-                      parameters.solution.n_increments,
+                      parameters.solution.increments.size(),
                       axis,
                       along_x,
                       exact);

@@ -77,7 +77,7 @@ EFFECTS = (
     ("one more level, adaptive, estimator",
      {**CONTACT, **LEVEL, "Refinement/Strategy": "adaptive"},
      "contact, mortar rule"),
-    ("errors of the probes", {"Probes/Estimate errors": "true"},
+    ("errors of the probes", {"Probes/Errors": "next mesh"},
      "bodies alone"),
 )
 

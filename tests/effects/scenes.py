@@ -114,7 +114,7 @@ BLOCKS = {
     "Solution/Increments": "1",
     "Solution/Geometry": "undeformed",
     "Probes/Probes": "head: displacement y, Head",
-    "Probes/Errors": "false",
+    "Probes/Errors": "none",
 }
 CONTACT = {"Contact/Slave": "Slave", "Contact/Master": "Master",
            "Contact/Discretization": "mortar"}

@@ -63,7 +63,7 @@ def main():
                 with tempfile.TemporaryDirectory() as directory:
                     estimated = solve(
                         file, directory, f"Refinement/Levels={last - 1}",
-                        "Probes/Dual weighted residuals=true", *settings)
+                        "Probes/Errors=dual weighted residuals", *settings)
                 with tempfile.TemporaryDirectory() as directory:
                     fine = solve(file, directory, f"Refinement/Levels={last}",
                                  *settings)

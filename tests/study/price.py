@@ -52,7 +52,7 @@ def main():
     directory = pathlib.Path("output/price")
     names = [probe["name"] for probe in solve(
         arguments, directory, "Refinement/Levels=0", "Probes/Accuracy=",
-        "Probes/Errors=false")["probes"]]
+        "Probes/Errors=none")["probes"]]
     if not names:
         sys.exit("There are no probes: name some in Probes/Probes.")
     levels = solve(

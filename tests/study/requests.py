@@ -73,7 +73,7 @@ def main():
         for case in sys.argv[2:] or cases:
             probes, requests, n_levels = cases[case]
             fine = solve(case, directory, f"Refinement/Levels={n_levels}",
-                         "Probes/Dual weighted residuals=true")["levels"]
+                         "Probes/Errors=dual weighted residuals")["levels"]
             uniform = solve(case, directory,
                             f"Refinement/Levels={n_levels}")["levels"]
             energy = solve(case, directory, f"Refinement/Levels={3 * n_levels}",

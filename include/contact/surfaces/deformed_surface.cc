@@ -214,28 +214,44 @@ namespace Contact
   Projection<dim> DeformedSurface<dim>::closest(const Point<dim> &x,
                                                 const Accept     &accept) const
   {
-    const double round_off = 1e-10;
     ++surface.counters().projections;
-    Projection<dim> best;
-    double          best_distance = std::numeric_limits<double>::max();
-    for (auto entry = tree().qbegin(bgi::nearest(x, surface.facets.size()));
-         entry != tree().qend();
-         ++entry)
+
+    // The tree is asked at once for a number of nearest boxes, which grows
+    // until one of them is beyond the closest point: an iterator of Boost
+    // before 1.78 goes through whole branches of the tree for each box.
+    const std::size_t                         leaf      = 16;
+    const double                              round_off = 1e-10;
+    std::vector<std::pair<Box, unsigned int>> nearest;
+    const std::size_t                         all = surface.facets.size();
+    for (std::size_t n = std::min(leaf, all);; n = std::min(n * leaf, all))
       {
-        if (boost::geometry::comparable_distance(x, entry->first) >
-            (1 + round_off) * best_distance)
-          break;
-        ++surface.counters().candidate_pairs;
-        const Projection<dim> candidate = project(x, entry->second);
-        const double          distance  = distance_square(x, candidate);
-        if (distance < best_distance && accept(candidate) &&
-            is_closest_around(x, candidate))
+        nearest.clear();
+        tree().query(bgi::nearest(x, n), std::back_inserter(nearest));
+        std::vector<std::pair<double, unsigned int>> by_distance;
+        for (const auto &[box, facet] : nearest)
+          by_distance.emplace_back(boost::geometry::comparable_distance(x, box),
+                                   facet);
+        std::sort(by_distance.begin(), by_distance.end());
+
+        Projection<dim> best;
+        double          best_distance = std::numeric_limits<double>::max();
+        for (const auto &[to_box, facet] : by_distance)
           {
-            best          = candidate;
-            best_distance = distance;
+            if (to_box > (1 + round_off) * best_distance)
+              return best;
+            ++surface.counters().candidate_pairs;
+            const Projection<dim> candidate = project(x, facet);
+            const double          distance  = distance_square(x, candidate);
+            if (distance < best_distance && accept(candidate) &&
+                is_closest_around(x, candidate))
+              {
+                best          = candidate;
+                best_distance = distance;
+              }
           }
+        if (n == all)
+          return best;
       }
-    return best;
   }
 
 

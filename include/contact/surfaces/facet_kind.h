@@ -61,12 +61,14 @@ namespace Contact
     /// A direction along it; of the end of an edge there is none.
     Tensor<1, dim - 1> along;
 
+    /// The constant comes last: of what move_to() has moved to one it is that,
+    /// without round-off.
     double at(const FacetPoint<dim> &xi) const
     {
-      double sum = constant;
+      double sum = 0;
       for (unsigned int k = 0; k < dim - 1; ++k)
         sum += slope[k] * coordinate(xi, k);
-      return sum;
+      return sum + constant;
     }
 
     /// Move a place, by its last coordinate that changes it, to where at() is

@@ -98,8 +98,7 @@ namespace Contact
                                parameters.master +
                                "' overlap: both have the "
                                "node at (" +
-                               std::to_string(a.X[0]) + ", " +
-                               std::to_string(a.X[1]) + ")",
+                               brief(a.X) + ") mm",
                              parameters.section() + "/Slave, " +
                                parameters.section() + "/Master",
                              "name two surfaces without a common node");

@@ -53,15 +53,25 @@ namespace Contact
 
 
 
+  // Plane stress is the plane strain of another material: with
+  //   nu' = nu/(1 + nu),   E' = E (1 + 2 nu)/(1 + nu)^2
+  // lambda' is 2 lambda mu/(lambda + 2 mu), and mu' is mu.
   template<int dim>
   std::map<types::material_id, Material>
   find_materials(const Mesh<dim> &mesh, const Parameters::Solids &parameters)
   {
     const std::string                      entry = "Solids/Young's modulus";
     std::map<types::material_id, Material> materials;
-    for (const auto &[name, youngs_modulus] : parameters.youngs_modulus)
-      materials.emplace(mesh.body(name, entry),
-                        Material(youngs_modulus, parameters.poisson.at(name)));
+    for (const auto &[name, E] : parameters.youngs_modulus)
+      {
+        const double nu = parameters.poisson.at(name);
+        materials.emplace(mesh.body(name, entry),
+                          parameters.symmetry ==
+                              Parameters::Symmetry::plane_stress
+                            ? Material(E * (1 + 2 * nu) / ((1 + nu) * (1 + nu)),
+                                       nu / (1 + nu))
+                            : Material(E, nu));
+      }
     for (const auto &[name, body] : mesh.bodies)
       if (materials.count(body) == 0)
         throw InputError("body '" + name + "' has no material",

@@ -5,11 +5,13 @@
 
 #include "solvers/newton/load_steps.h"
 
+#include <utility>
+
 namespace Contact
 {
-  LoadSteps::LoadSteps(const unsigned int n_increments,
-                       const unsigned int max_cuts)
-    : n_increments(n_increments)
+  LoadSteps::LoadSteps(const Parameters::Increments &increments,
+                       const unsigned int            max_cuts)
+    : increments(increments)
     , max_cuts(max_cuts)
   {
   }
@@ -18,7 +20,7 @@ namespace Contact
 
   bool LoadSteps::finished() const
   {
-    return increment > n_increments;
+    return increment > increments.size();
   }
 
 
@@ -27,9 +29,9 @@ namespace Contact
   {
     // Exact at the ends of increments, and what it is without cuts.
     if (position == whole())
-      return static_cast<double>(increment) / n_increments;
-    return (increment - 1 + static_cast<double>(position) / whole()) /
-           n_increments;
+      return increments.at(increment);
+    return increments.at(increment - 1 +
+                         static_cast<double>(position) / whole());
   }
 
 
@@ -40,6 +42,8 @@ namespace Contact
     return {load_factor(position),
             load_factor(end),
             increment,
+            static_cast<double>(position) / whole(),
+            static_cast<double>(end) / whole(),
             depth == 0,
             position == 0,
             end == whole(),
@@ -56,8 +60,14 @@ namespace Contact
         position = 0;
         ++increment;
       }
-    // A step of twice the length has to start where such steps do.
-    if (depth > 0 && n_newton_steps <= few_newton_steps &&
+    if (depth <= failed)
+      failed = never;
+    n_easy = n_newton_steps <= few_newton_steps ? n_easy + 1 : 0;
+
+    // A step of twice the length has to start where such steps do. Two of the
+    // length that has failed are four of its half.
+    const unsigned int n_needed = depth > 0 && depth - 1 == failed ? 4 : 1;
+    if (depth > 0 && n_easy >= n_needed &&
         position % (whole() >> (depth - 1)) == 0)
       --depth;
   }
@@ -68,7 +78,15 @@ namespace Contact
   {
     if (depth == max_cuts)
       return false;
-    ++depth;
+    failed = depth++;
+    n_easy = 0;
     return true;
+  }
+
+
+
+  bool LoadSteps::begin_small()
+  {
+    return std::exchange(depth, max_cuts) < max_cuts;
   }
 } // namespace Contact
