@@ -47,8 +47,11 @@ KINDS = {f.__name__: f for f in kinds_blocks.KINDS + kinds_shapes.KINDS +
 SPACE = {"space_" + f.__name__: f for f in space_blocks.KINDS +
          space_round.KINDS + space_materials.KINDS + space_sides.KINDS}
 TETRAHEDRA = {"tetrahedra_" + f.__name__: f for f in space_tetrahedra.KINDS}
-COLUMNS = ("run", "converged", "differs", "refused", "not converged", "wrong",
-           "crash", "seconds", "most s", "most MB", "steps")
+# "violated": converged, and refused by the program itself, as where a mesh lets
+# bodies pass through each other.
+ENDS = ("converged", "differs", "refused", "not converged", "violated", "wrong",
+        "crash")
+COLUMNS = ("run", *ENDS, "seconds", "most s", "most MB", "steps")
 
 
 def make(kind, seed):
@@ -69,7 +72,7 @@ class Outcome:
 def judge(scene, run):
     """The column of a run, and the reason."""
     if run.status is None:
-        return "crash", "hung: " + run.message
+        return "crash", "hung: " + run.said
     if run.status not in (0, 1, 2, 3):
         return "crash", "exit status %s: %s" % (run.status, run.message)
     if run.megabytes > 1000:
@@ -79,7 +82,7 @@ def judge(scene, run):
     if run.status == 3:
         return "not converged", run.message
     if run.status == 1:
-        return "not converged", "violated: " + "; ".join(
+        return "violated", "; ".join(
             f["text"] for f in run.summary["findings"]
             if f["severity"] == "violated")[:300]
     try:
@@ -121,7 +124,8 @@ def is_failure(outcome):
         return True
     if scene.expected != scenes.SOLVED:
         return False
-    return outcome.column in ("refused", "not converged") and scene.is_default
+    return outcome.column in ("refused", "not converged", "violated") and (
+        scene.is_default)
 
 
 def table(kinds, outcomes):
@@ -138,7 +142,7 @@ def table(kinds, outcomes):
 def cells(outcomes):
     count = lambda column: sum(o.column == column for o in outcomes)
     seconds = [o.run.seconds for o in outcomes]
-    return [str(len(outcomes))] + [str(count(c)) for c in COLUMNS[1:7]] + [
+    return [str(len(outcomes))] + [str(count(c)) for c in ENDS] + [
         "%.1f" % sum(seconds), "%.1f" % max(seconds),
         "%.0f" % max(o.run.megabytes for o in outcomes),
         str(sum(o.run.steps for o in outcomes))]

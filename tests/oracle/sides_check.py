@@ -15,7 +15,8 @@ import space_surfaces
 import surfaces
 from space_surfaces import TRIANGLES
 from space_zone import cone_angle, to_functions
-from zone_check import ANGLE, APART, COUNTS, Problem, connected
+from zone_check import (ANGLE, APART, COUNTS, Problem, connected, noise_of,
+                        work_of)
 
 # Of the approach (without a known one of the largest displacement): how deep a
 # place may be inside of the other body. Nodes of the slave; places of both
@@ -152,12 +153,16 @@ class SidesCheck:
         sum."""
         reach = APART * self.slack + self.sagitta
         touch = self.touch.any(1)
-        if self.model.dim == 3 and self.slave.facets.shape[1] in TRIANGLES:
-            # Of a vertex that touches, the triangles that do not.
-            touch = np.isin(self.slave.facets, self.slave.facets[touch]).any(1)
         partly = touch & (
             (self.gaps > reach).any(1) |
             (self.slave.distances_of_corners(self.master) <= reach))
+        if self.model.dim == 3 and self.slave.facets.shape[1] in TRIANGLES:
+            # Beside a triangle that touches one that does not, with a vertex in
+            # common: it spreads the force of that over its nodes if the master
+            # covers a part of it; dual functions do not if all of it, or nothing.
+            beside = np.isin(self.slave.facets,
+                             self.slave.facets[touch]).any(1)
+            partly |= beside & ~touch & self.covered_in_part()
         for nodes in connected(self.slave.facets[partly]):
             together = np.isin(self.nodes, list(nodes))
             around = np.flatnonzero(np.isin(self.slave.facets,
@@ -166,6 +171,17 @@ class SidesCheck:
             self.judged[together] = self.judged[together].all()
             for k in np.flatnonzero(together):
                 self.around[k] = around
+
+    def covered_in_part(self):
+        """Of facets of the slave, whether the master is straight ahead of some
+        of their places."""
+        places = self.slave.places
+        flat = places.reshape(-1, places.shape[-1])
+        ahead = self.master.body.covers(flat).reshape(places.shape[:2])
+        normals = self.master.body.normals(flat).reshape(places.shape)
+        ahead &= np.einsum("fpi,fi->fp", normals, self.slave.normals) < (
+            own_contact.FACING)
+        return ahead.any(1) & ~ahead.all(1)
 
     def problems(self, before):
         found = self.check_depth()
@@ -255,18 +271,10 @@ class SidesCheck:
                         "%.3g" % (work, most))]
 
     def work(self, before):
-        nodes = self.all_nodes()
-        step = self.state.u - (before.u if before is not None else 0)
-        force = self.state.residual[nodes]
-        # What is left of forces that are gone does not count, nor round-off.
-        size = max(np.linalg.norm(force, axis=1).sum(), 1e-4 * self.state.scale,
-                   self.noise())
-        return ((force * step[nodes]).sum(),
-                size * max(np.abs(step).max(), 1e-6 * self.slack))
+        return work_of(self.state, before, self.all_nodes(), self.slack)
 
     def noise(self):
-        return 1e3 * np.linalg.norm(self.state.error[self.all_nodes()],
-                                    axis=1).sum()
+        return noise_of(self.state, self.all_nodes())
 
     def net(self, forces):
         """On the side that no support holds: its sum, and the sum of sizes."""

@@ -5,8 +5,8 @@ import numpy as np
 import motions
 import space_surfaces
 from motion_check import RESULTANT
-from space_zone import SpaceZoneCheck, unit
-from zone_check import Problem
+from space_zone import SpaceZoneCheck
+from zone_check import PENETRATION, Problem
 
 
 def zone_check_of(scene, model, state, zone, largest, shared):
@@ -45,9 +45,29 @@ class ObstacleCheck(SpaceZoneCheck):
         """On the material of the obstacle."""
         x = self.state.x[self.nodes]
         way = x - self.placed_before.at(self.placement.back(x))
-        n = unit(self.of_functions(self.master.normals(x)))
-        jump = self.of_functions(step[self.nodes] - way)
-        return jump - np.einsum("ki,ki->k", jump, n)[:, None] * n, n
+        n = self.normals_of_functions()
+        return self.of_functions(step[self.nodes] - way), n
+
+    def normals_of_functions(self):
+        """In the places that belong to the functions: forces on these do the
+        same work on the motions of such places as those of nodes on theirs."""
+        return self.master.normals(self.of_functions(self.state.x[self.nodes]))
+
+    def check_weighted(self):
+        """The distances from what is rigid of all nodes, combined likewise: none
+        is negative, and where a force acts it is zero."""
+        x = self.state.x[self.nodes]
+        ways = self.of_functions(self.master.gap(x)[:, None] *
+                                 self.master.normals(x))
+        gaps = np.einsum("ki,ki->k", ways, self.normals_of_functions())
+        allowed = PENETRATION["nodal"] * self.slack
+        for bad, reason in ((self.judged & (gaps < -allowed), "penetration"),
+                            (self.counts & (gaps > allowed), "force at a gap")):
+            if bad.any():
+                k = np.flatnonzero(bad)[np.abs(gaps[bad]).argmax()]
+                return [self.problem(reason, k, "gap %.3g mm, displacements "
+                                     "%.3g mm" % (gaps[k], self.largest))]
+        return []
 
     def check_forces(self):
         """Forces on the slave, as they are said and given, and their moments."""

@@ -7,12 +7,14 @@ from scipy.optimize import nnls
 
 import elements
 import space_surfaces
-from zone_check import (ANGLE, APART, COUNTS, PENETRATION, PLACES, Problem,
-                        ROUND, connected)
+from zone_check import (ANGLE, APART, CORNER, COUNTS, PENETRATION, PLACES, Problem,
+                        ROUND, connected, work_of)
 
 # Of mu N times the slip: what friction may dissipate less, since forces are
 # those of the end of an increment, and slips and pressures those of nodes.
 DISSIPATION = 0.1
+# Between two normals, of which one is right.
+SHARES = np.linspace(0, 1, 9)
 # Of the largest displacement: by how much glued surfaces may part in places.
 GLUE = 0.05
 # Points of a face along each side, and the share of it that is too little.
@@ -132,7 +134,7 @@ class SpaceZoneCheck:
         self.normals = self.master.normals(flat).reshape(self.points.shape)
         self.own = space_surfaces.Facets(self.faces, state.x)
         self.shared = shared
-        self.weights = None
+        self.weights = self.weighted_normals = None
         self.transform = to_functions(self.nodes, self.faces)
         left_out = shared[self.nodes] | state.held[self.nodes].any(1)
         self.judged = (abs(self.transform) @ left_out) == 0
@@ -141,6 +143,8 @@ class SpaceZoneCheck:
         self.lying = self.touching.sum(1) > 3
         self.around = [np.flatnonzero((self.faces == n).any(1))
                        for n in self.nodes]
+        self.own_normals = np.array([self.mean_normal(where)
+                                     for where in self.around])
         self.size = np.linalg.norm(self.force, axis=1)
         noise = 10 * abs(self.transform) @ np.linalg.norm(
             state.error[self.nodes], axis=1)
@@ -149,6 +153,9 @@ class SpaceZoneCheck:
 
         # What acts on a node, or on several together.
         self.acting = self.force.copy()
+        # Nodes whose function has the force of one dual function, along a normal
+        # between the slave's own one and the weighted one of the master.
+        self.alone = np.zeros(len(self.nodes), bool)
         if self.rule == "mortar" and not zone.obstacle:
             self.take_together()
 
@@ -167,6 +174,7 @@ class SpaceZoneCheck:
         judged by their sum."""
         self.weights = DualWeights(self)
         partly = self.weights.partly
+        self.alone = ~np.isin(self.nodes, self.faces[partly]) & self.smooth()
         for nodes in connected(self.faces[partly]):
             together = np.isin(self.nodes, list(nodes))
             self.acting[together] = self.force[together].sum(0)
@@ -191,6 +199,8 @@ class SpaceZoneCheck:
             found += self.check_resultant()
         if not found:
             found += self.check_friction(before)
+        if not found:
+            found += self.check_work(before)
         return found
 
     def check_moments(self):
@@ -248,6 +258,8 @@ class SpaceZoneCheck:
     def check_penetration(self):
         allowed = PENETRATION[self.rule] * self.slack
         if self.rule == "nodal":
+            # That of the middle of a side is 0.6 of the gap of its function and
+            # 0.2 of those of both vertices: negative only if one of these is.
             gaps = self.of_functions(self.master.exact_gap(
                 self.state.x[self.nodes]))
             lowest = gaps[self.state.held[self.nodes].sum(1) < 3].min(initial=0)
@@ -274,7 +286,10 @@ class SpaceZoneCheck:
         near = np.array([np.abs(self.gaps[where]).max() <= self.slack
                          for where in self.around])
         judged &= near
-        allowed = WEIGHTED * self.slack + self.sagitta()
+        # Where each function has the force of one dual function we know its gap
+        # as well as that of a node.
+        allowed = np.where(self.alone, PENETRATION["nodal"], WEIGHTED) * (
+            self.slack) + self.sagitta()
         for bad, reason in ((judged & (gaps < -allowed), "weighted penetration"),
                             (judged & self.counts & (gaps > allowed),
                              "force at a gap")):
@@ -370,6 +385,14 @@ class SpaceZoneCheck:
         """In which the master may push here: its normals where the slave's
         faces face it, the slave's own, turned round, where those lie on it,
         and those around corners of the master that touch them."""
+        if self.alone[k]:
+            if self.weighted_normals is None:
+                # Means by the dual functions may be outside of the range of what
+                # they are means of.
+                self.weighted_normals = self.at_nodes(
+                    lambda nodes: self.state.x[nodes])[1]
+            weighted = self.weighted_normals[k]
+            return [self.own_normals[k], weighted], weighted
         normals = self.normals[where].reshape(-1, 3)
         gaps = self.gaps[where].ravel()
         near = gaps <= gaps.min() + 0.5 * self.own.face_size[where].max()
@@ -379,7 +402,6 @@ class SpaceZoneCheck:
         own = list(-self.own.normal[np.isin(self.own.face, lying)])
         if self.rule == "mortar":
             own.append(self.mean_normal(where))
-            own += self.weighted_normals(k)
         own += self.around_master(where)
         found += [n for n in own if n @ reference > 0]
         return found, reference
@@ -389,12 +411,13 @@ class SpaceZoneCheck:
         normals of its faces, turned round."""
         return -unit(self.own.face_normal[where].sum(0))
 
-    def weighted_normals(self, k):
-        """The mean of the master's by the dual function of a node, which may be
-        outside of their range."""
-        if self.zone.obstacle or self.faces.shape[1] != 6:
-            return []
-        return [self.at_nodes(lambda nodes: self.state.x[nodes])[1][k]]
+    def smooth(self):
+        """Nodes around which the slave as drawn has no corner, where each side
+        has a dual function and a normal of its own."""
+        drawn = space_surfaces.Facets(self.faces, self.model.X).face_normal
+        return np.array([np.linalg.norm(np.cross(
+            drawn[where][:, None], drawn[where][None]), axis=2).max() < CORNER
+            for where in self.around])
 
     def mean_normals(self):
         """Those of the nodes on which forces act."""
@@ -446,13 +469,13 @@ class SpaceZoneCheck:
                                               np.linalg.norm(total)))]
 
     def slip(self, step):
-        """Of the slave's nodes along the master, and the normals there: those
+        """Ways of the slave's nodes on the master, and the normals there: those
         that forces are along, of a flat slave its own with the mortar
         discretization."""
-        relative, n = self.at_nodes(lambda nodes: step[nodes])
+        ways, n = self.at_nodes(lambda nodes: step[nodes])
         if self.rule == "mortar" and self.is_drawn_flat(self.faces):
-            n = np.array([self.mean_normal(where) for where in self.around])
-        return relative - np.einsum("ki,ki->k", relative, n)[:, None] * n, n
+            n = self.own_normals
+        return ways, n
 
     def at_nodes(self, field):
         """A field of the slave minus that of the master (none of what is rigid),
@@ -484,33 +507,84 @@ class SpaceZoneCheck:
         of_master = np.einsum("pa,pai->pi", shapes, field(group.faces[face]))
         return of_slave - of_master, group.mean_normals(x)
 
+    def has_step(self, before):
+        """Whether the way of the increment is known."""
+        return before is not None or int(self.scene.entries.get(
+            "Solution/Increments", 2)) == 1
+
+    def check_work(self, before):
+        """Contact takes work: where a force acts the gap has closed, and friction
+        is against the slip. Forces of both surfaces on their ways are the same
+        sum, whatever places face each other."""
+        if self.zone.obstacle or not self.has_step(before):
+            return []
+        nodes = np.union1d(self.nodes, self.model.lines[self.zone.master])
+        if self.state.held[nodes].any() or self.shared[nodes].any():
+            return []
+        work, most = work_of(self.state, before, nodes, self.slack)
+        pushed = 0.0 if before else self.overlap_of_mesh() * np.linalg.norm(
+            self.force, axis=1).sum()
+        if work <= LEVER * most + pushed:
+            return []
+        return [Problem("work", "contact does %.3g N mm, forces times ways "
+                        "%.3g" % (work, most))]
+
+    def overlap_of_mesh(self):
+        """How deep the undeformed bodies are inside of each other: forces push
+        them apart."""
+        X = self.model.X
+        faces, of_master = self.faces, self.model.lines[self.zone.master]
+        return max(space_surfaces.depths(outline, places).max()
+                   for own, places in (
+                       (of_master, space_surfaces.samples(faces, X)),
+                       (faces, space_surfaces.samples(of_master, X)))
+                   for outline in space_surfaces.outlines(self.model, own, X)
+                   for places in [places.reshape(-1, 3)])
+
     def check_friction(self, before):
         """Friction acts against the slip, and what slips is under mu p."""
-        first = int(self.scene.entries.get("Solution/Increments", 2)) == 1
-        if self.zone.mu == 0 or before is None and not first:
-            return []
-        if any(group.n in space_surfaces.TRIANGLES for group in self.surfaces()
-               ) and self.facets() > self.slack:
-            # Polygons that are further off than anything moves: places that
-            # face each other depend on the direction that one looks along.
+        if self.zone.mu == 0 or not self.has_step(before):
             return []
         step = self.state.u - (before.u if before is not None else 0)
-        slip, n = self.slip(step)
-        push = np.einsum("ki,ki->k", self.force, n)
-        shear = self.force - push[:, None] * n
+        push, work, most = self.dissipation(step)
         judged = self.counts & (push > 0)
         if self.weights is not None:
             judged &= self.weights.least > 1 - SLIVER
-        length = np.linalg.norm(slip, axis=1)
-        work = np.einsum("ki,ki->k", shear, slip)[judged].sum()
-        most = self.zone.mu * (push * length)[judged].sum()
+        # What slips are known to; what sticks may have one of either sense.
         moved = max(np.abs(step).max(), 1e-6 * self.largest)
-        small = 1e-2 * self.zone.mu * push[judged].sum() * moved
+        small = 1e-2 * self.zone.mu * push * moved
+        lacks = work + (1 - DISSIPATION) * most - (2 - DISSIPATION) * small
+        exact = judged & (self.alone | (self.weights is None))
+        if (lacks[exact] > 0).any():
+            k = np.where(exact, lacks, 0).argmax()
+            return [self.problem("friction", k, "dissipates %.4g N mm, mu N "
+                                 "times the slip is %.4g" % (-work[k],
+                                                             most[k]))]
+        work, most, small, lacks = (v[judged].sum() for v in (
+            work, most, small, lacks))
         if work > DISSIPATION * most + small:
             return [Problem("friction", "does work: %.3g of %.3g N mm" % (
                 work, most))]
-        if self.is_flat() and judged[self.counts].all() and (
-                work > -(1 - DISSIPATION) * most + small):
+        if self.is_flat() and lacks > 0:
             return [Problem("friction", "dissipates %.4g N mm, mu N times the "
                             "slip is %.4g" % (-work, most))]
         return []
+
+    def dissipation(self, step):
+        """Of each node: the push, the work of its shear on its slip, and mu times
+        the push times the slip: what a slip should dissipate. With the mortar
+        discretization forces are along normals between the slave's own ones and
+        those of the master: along the one that these two agree best with."""
+        ways, n = self.slip(step)
+        found = []
+        for share in SHARES if self.weights is not None else (1.0,):
+            normals = unit((1 - share) * self.own_normals + share * n)
+            push = np.einsum("ki,ki->k", self.force, normals)
+            shear = self.force - push[:, None] * normals
+            along = ways - np.einsum("ki,ki->k", ways, normals)[:, None] * (
+                normals)
+            found.append((push, np.einsum("ki,ki->k", shear, along),
+                          self.zone.mu * push * np.linalg.norm(along, axis=1)))
+        found = np.array(found)
+        best = (found[:, 1] + found[:, 2]).argmin(0)
+        return found[best, :, np.arange(len(best))].T

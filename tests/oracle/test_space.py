@@ -430,6 +430,49 @@ def damage():
         friction_damage(place)
 
 
+def mortar_damage():
+    """Triangles that lie on each other, of either degree: a gap of a fiftieth of
+    the displacement where a force acts, and forces that push what they have pushed
+    apart."""
+    for degree in (1, 2):
+        scene = pressed_block(1.0)
+        scene.rule = "mortar"
+        scene.entries["Element/Degree"] = degree
+        scene.mesh.cut(scene.mesh.bodies, SameDiagonals())
+        model, u = tied(scene, [0, 1, 2])
+
+        def zone_of(u):
+            state = check.State(model, u, 1.0, np.full(len(u), 1e-16))
+            return SpaceZoneCheck(scene, model, state, scene.zones[0], 0.02,
+                                  np.zeros(len(u), bool))
+        zone = zone_of(u)
+        expect("functions of one dual function each", zone.alone.all())
+        found = list(map(str, zone.problems(None)))
+        expect("a right result with triangles passes", not found, str(found))
+        fixed = np.zeros(model.X.shape, bool)
+        sole = model.nodes_of("Up_below")
+        fixed[model.nodes_of("Low_above")] = fixed[sole] = True
+        middle = sole[np.abs(model.X[sole] - (2, 2, 1)).max(1) < 0.01]
+        for up, reason in ((4e-4, "force at a gap"),
+                           (-4e-4, "weighted penetration")):
+            v = u.copy()
+            v[middle, 2] += up
+            found = [p.reason for p in zone_of(model.solve(
+                fixed=fixed, u=v)).problems(None)]
+            expect("found: a node %g mm up" % up, reason in found, str(found))
+        before = check.State(model, u - 0.01 * (model.body_of == 1)[:, None] * (
+            0, 0, 1), 0.5, np.full(len(u), 1e-16))
+        found = [p.reason for p in zone.problems(before)]
+        expect("found: contact that does work", found == ["work"], str(found))
+
+
+class SameDiagonals:
+    """In the place of random numbers."""
+
+    def randrange(self, n):
+        return 0
+
+
 def obstacle_damage():
     """A plane that has come up by 0.01: its force and way as they are said, and
     others; material of it that turns below what is at rest makes shears."""
@@ -529,6 +572,7 @@ def scenes():
 
 if __name__ == "__main__":
     for test in (derivatives, patch, laws, rigid, bar, cantilever, geometry,
-                 bent_face, functions, damage, obstacle_damage, turned, scenes):
+                 bent_face, functions, damage, mortar_damage, obstacle_damage, turned,
+                 scenes):
         test()
     sys.exit(test_fem.failures > 0)

@@ -50,6 +50,23 @@ def connected(lines):
     return found
 
 
+def noise_of(state, nodes):
+    """Of the forces on these nodes, in sum."""
+    return 1e3 * np.linalg.norm(state.error[nodes], axis=1).sum()
+
+
+def work_of(state, before, nodes, slack):
+    """Of the forces on the nodes of both surfaces on their ways in an increment;
+    and all of these forces times the largest way."""
+    step = state.u - (before.u if before is not None else 0)
+    force = state.residual[nodes]
+    # What is left of forces that are gone does not count, nor round-off.
+    size = max(np.linalg.norm(force, axis=1).sum(), 1e-4 * state.scale,
+               noise_of(state, nodes))
+    return ((force * step[nodes]).sum(),
+            size * max(np.abs(step).max(), 1e-6 * slack))
+
+
 class ZoneCheck(zone_normals.Normals):
     """Forces and gaps of a zone."""
 
