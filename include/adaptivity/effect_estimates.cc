@@ -321,17 +321,16 @@ namespace Contact
   // is uncertain.
   EffectEstimate EffectEstimates::of_quadratic_elements() const
   {
-    EffectEstimate  estimate{"quadratic elements", false, {"Element/Degree=2"}};
-    Parameters::All variant = parameters;
-    variant.element.degree  = 2;
-    if (!variant.solids.incompatible_modes.empty())
-      estimate.entries.push_back("Solids/Incompatible modes=");
-    variant.solids.incompatible_modes.clear();
+    const SceneVariant variant = quadratic_elements(parameters);
+    EffectEstimate     estimate{variant.effect, variant.is_on, variant.entries};
     try
       {
         if (remembers())
           throw NotConverged("plastic strains remember the way");
-        VariantModel other(variant, scene->model, scene->state, timer);
+        VariantModel other(variant.parameters,
+                           scene->model,
+                           scene->state,
+                           timer);
         estimate.price = converge(other) / seconds;
         other.check_supports();
         const auto before = probes_of(other);
@@ -398,10 +397,8 @@ namespace Contact
 
   EffectEstimate EffectEstimates::of_increments() const
   {
-    EffectEstimate estimate{"increments doubled",
-                            false,
-                            {"Solution/Increments=" +
-                             parameters.solution.increments.doubled().text()}};
+    const SceneVariant variant = doubled_increments(parameters);
+    EffectEstimate     estimate{variant.effect, variant.is_on, variant.entries};
     estimate.price = 2;
     if (model.has_friction())
       estimate.unknown = "the shear remembers the way";

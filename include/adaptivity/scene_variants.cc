@@ -300,4 +300,32 @@ namespace Contact
     add_materials(variants);
     return variants.all;
   }
+
+
+
+  SceneVariant quadratic_elements(const Parameters::All &scene)
+  {
+    SceneVariant variant{"quadratic elements",
+                         false,
+                         {"Element/Degree=2"},
+                         scene};
+    variant.parameters.element.degree = 2;
+    if (!scene.solids.incompatible_modes.empty())
+      variant.entries.push_back("Solids/Incompatible modes=");
+    variant.parameters.solids.incompatible_modes.clear();
+    return variant;
+  }
+
+
+
+  SceneVariant doubled_increments(const Parameters::All &scene)
+  {
+    const auto   increments = scene.solution.increments.doubled();
+    SceneVariant variant{"increments doubled",
+                         false,
+                         {"Solution/Increments=" + increments.text()},
+                         scene};
+    variant.parameters.solution.increments = increments;
+    return variant;
+  }
 } // namespace Contact

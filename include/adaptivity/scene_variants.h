@@ -42,6 +42,11 @@ namespace Contact
    * not there is tried with the coefficient 0.1.
    */
   std::vector<SceneVariant> scene_variants(const Parameters::All &scene);
+
+  /// The scene with other cells and steps: quadratic elements instead of linear
+  /// ones, and twice the increments.
+  SceneVariant quadratic_elements(const Parameters::All &scene);
+  SceneVariant doubled_increments(const Parameters::All &scene);
 } // namespace Contact
 
 #endif

@@ -182,16 +182,22 @@ namespace Contact
       if (!has_groups && label_boundary(tag, tag))
         known.insert(tag);
     for (const auto &[part, tags] : parts)
-      for (const int one : tags)
-        for (const int other : tags)
-          {
-            const auto of_one   = adjacent(dim, one).second;
-            const auto of_other = adjacent(dim, other).second;
-            for (unsigned int i = 0; i < of_one.size(); ++i)
-              if (!part.empty() && of_one.size() == of_other.size() &&
-                  known.count(of_one[i]) > 0 && known.count(of_other[i]) == 0)
-                label_boundary(of_other[i], of_one[i]);
-          }
+      {
+        std::vector<int> labels; // of one, in the order of its faces
+        for (const int tag : tags)
+          if (const auto faces = adjacent(dim, tag).second;
+              !part.empty() &&
+              std::any_of(faces.begin(), faces.end(), [&](const int face) {
+                return known.count(face) > 0;
+              }))
+            labels = faces;
+        for (const int tag : tags)
+          if (const auto faces = adjacent(dim, tag).second;
+              faces.size() == labels.size())
+            for (unsigned int i = 0; i < faces.size(); ++i)
+              if (known.count(faces[i]) == 0)
+                label_boundary(faces[i], labels[i]);
+      }
     for (const auto &[label, tags] : labelled)
       add_group(dim - 1, tags, label);
     for (const auto &[name, numbers] : parameters.boundaries)
@@ -394,7 +400,6 @@ namespace Contact
 
   void CadModel::write_mesh(const std::string &msh_file)
   {
-    // Later versions hand on the size that follows from all else.
     // A tenth of the diagonal is the largest size that gmsh takes, times its
     // factor. Where each body has a size, that of points is none.
     double factor = 1;
@@ -405,6 +410,7 @@ namespace Contact
         gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
         gmsh::option::setNumber("Mesh.MeshSizeFactor", factor);
       }
+    // Later versions hand on the size that follows from all else.
     gmsh::model::mesh::setSizeCallback(
       [&](int d, int tag, double, double, double, auto... others) {
         const auto   found = sizes.find({d, tag});

@@ -18,34 +18,6 @@ namespace Contact
 {
   namespace
   {
-    /// The variants of a scene, and those that another run makes as easily: of
-    /// quadratic elements and of twice the increments.
-    std::vector<SceneVariant> variants_by_runs(const Parameters::All &scene)
-    {
-      std::vector<SceneVariant> variants = scene_variants(scene);
-      if (scene.element.degree == 1)
-        {
-          SceneVariant quadratic{"quadratic elements",
-                                 false,
-                                 {"Element/Degree=2",
-                                  "Solids/Incompatible modes="},
-                                 scene};
-          quadratic.parameters.element.degree = 2;
-          quadratic.parameters.solids.incompatible_modes.clear();
-          variants.push_back(quadratic);
-        }
-      const auto   increments = scene.solution.increments.doubled();
-      SceneVariant finer{"increments doubled",
-                         false,
-                         {"Solution/Increments=" + increments.text()},
-                         scene};
-      finer.parameters.solution.increments = increments;
-      variants.push_back(finer);
-      return variants;
-    }
-
-
-
     /// The run of a variant, on so many nested meshes.
     Parameters::All run_beside(const Parameters::All &scene,
                                const RunSummary      &summary,
@@ -67,7 +39,7 @@ namespace Contact
 
 
 
-    /// What went wrong, of an error of the input its first line.
+    /// The first line of an error of the input.
     std::string reason(const InputError &error)
     {
       const std::string text = error.what(), head = "error:  ";
@@ -89,7 +61,8 @@ namespace Contact
 
 
 
-    /// How far the tolerances of the loops let a value be off, relative to it.
+    /// The error of a value that the tolerances of the loops leave, relative to
+    /// it.
     double share_of_loops(const Parameters::Solution &solution)
     {
       return solution.newton_tolerance +
@@ -146,7 +119,10 @@ namespace Contact
     const std::size_t n_meshes = n > 2 ? n - 1 : n;
     const bool        is_first_rank =
       Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-    const auto variants = variants_by_runs(scene);
+    auto variants = scene_variants(scene);
+    if (scene.element.degree == 1)
+      variants.push_back(quadratic_elements(scene));
+    variants.push_back(doubled_increments(scene));
     for (std::size_t k = 0; k < variants.size() && !summary.interrupted; ++k)
       {
         const SceneVariant &variant = variants[k];

@@ -348,6 +348,8 @@ namespace Contact
         {
           const double missing =
             model.elasticity->missing_modes(solution, body);
+          if (missing == 0)
+            continue;
           const double energy = model.elasticity->strain_energy(solution, body);
           if (missing > much * energy)
             findings.push_back(

@@ -42,7 +42,7 @@ namespace Contact
       std::map<std::string, std::string>
       idle_entries(const std::string &file) const;
 
-      /// What Mesh/File is, by the end of its name.
+      /// The kind of Mesh/File, by the end of its name.
       enum class Source
       {
         mesh,

@@ -124,7 +124,7 @@ namespace Contact
       std::map<std::string, double> references;
       std::map<std::string, double> tolerances;
 
-      /// What estimates the discretization error of the probes.
+      /// The estimate of the discretization error of the probes.
       Choice<Errors> errors = Errors::automatic;
 
       /// Name -> the error that is accepted, with its unit: %, mm or MPa.

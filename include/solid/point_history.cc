@@ -3,11 +3,14 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// The history of the points of class Elasticity, and the works of an increment.
+// The history of the points of class Elasticity, its energies and the works of
+// an increment.
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+#include <array>
 
 #include "solid/elasticity.h"
 
@@ -128,6 +131,46 @@ namespace Contact
          discretization.mesh.triangulation.active_cell_iterators())
       ids.push_back(cell->id());
     return ids;
+  }
+
+
+
+  template<int dim>
+  double Elasticity<dim>::strain_energy(
+    const GhostedVector                    &u,
+    const std::optional<types::material_id> body) const
+  {
+    double energy = 0;
+    for (const CellTable<dim> &cell : tables.own)
+      if (!body || cell.body == *body)
+        energy += cell.kernel->energy(cell, u.extract(cell.dofs));
+    return Utilities::MPI::sum(energy, discretization.communicator);
+  }
+
+
+
+  // Of the modes, orthonormal in the energy, a cell would take alpha.
+  template<int dim>
+  double Elasticity<dim>::missing_modes(const GhostedVector     &u,
+                                        const types::material_id body) const
+  {
+    double energy = 0;
+    if (discretization.degree == 1 && laws.at(body)->is_linear() &&
+        enhanced.count(body) == 0 && projected.count(body) == 0)
+      for (const CellTable<dim> &cell : tables.own)
+        if (cell.body == body && cell.JxW.size() == Utilities::pow(2, dim))
+          {
+            const auto modes = stress_modes<dim>(QGauss<dim>(2), cell);
+            const auto strains =
+              cell.kernel->strains(cell, u.extract(cell.dofs));
+            std::array<double, dim * dim> alpha{};
+            for (unsigned int q = 0; q < strains.size(); ++q)
+              for (unsigned int m = 0; m < alpha.size(); ++m)
+                alpha[m] += cell.JxW[q] * (modes[q][m] * strains[q]);
+            for (const double of_mode : alpha)
+              energy += 0.5 * of_mode * of_mode;
+          }
+    return Utilities::MPI::sum(energy, discretization.communicator);
   }
 
 

@@ -286,7 +286,7 @@ class SpaceZoneCheck:
         near = np.array([np.abs(self.gaps[where]).max() <= self.slack
                          for where in self.around])
         judged &= near
-        # Where each function has the force of one dual function we know its gap
+        # The gap is known where each function has the force of one dual function
         # as well as that of a node.
         allowed = np.where(self.alone, PENETRATION["nodal"], WEIGHTED) * (
             self.slack) + self.sagitta()
@@ -530,7 +530,7 @@ class SpaceZoneCheck:
                         "%.3g" % (work, most))]
 
     def overlap_of_mesh(self):
-        """How deep the undeformed bodies are inside of each other: forces push
+        """The depth of the undeformed bodies inside of each other: forces push
         them apart."""
         X = self.model.X
         faces, of_master = self.faces, self.model.lines[self.zone.master]
@@ -550,7 +550,7 @@ class SpaceZoneCheck:
         judged = self.counts & (push > 0)
         if self.weights is not None:
             judged &= self.weights.least > 1 - SLIVER
-        # What slips are known to; what sticks may have one of either sense.
+        # The error of known slips; a sticking point may have one of either sense.
         moved = max(np.abs(step).max(), 1e-6 * self.largest)
         small = 1e-2 * self.zone.mu * push * moved
         lacks = work + (1 - DISSIPATION) * most - (2 - DISSIPATION) * small

@@ -60,7 +60,7 @@ def work_of(state, before, nodes, slack):
     and all of these forces times the largest way."""
     step = state.u - (before.u if before is not None else 0)
     force = state.residual[nodes]
-    # What is left of forces that are gone does not count, nor round-off.
+    # The rest of forces that are gone does not count, nor round-off.
     size = max(np.linalg.norm(force, axis=1).sum(), 1e-4 * state.scale,
                noise_of(state, nodes))
     return ((force * step[nodes]).sum(),

@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What accuracy costs, as somebody who waits sees it: a picture of four scenes,
-one a panel. Along x the error of a probe, from large to small; along y the
-seconds from the start of the program. Three curves: runs that ask for an
-accuracy, with a bar from the true error to the one that they print; meshes
-refined everywhere; meshes refined by the energy estimate. Grey below: the
-start-up. Grey at the right: what the reference does not know, which is the limit
-of uniform meshes by their last three values.
+"""A picture of what accuracy costs somebody who waits: four scenes, one a panel.
+Along x the error of a probe, from large to small; along y the seconds from the
+start of the program. Three curves: runs that ask for an accuracy, with a bar from
+the true error to the one that they print; meshes refined everywhere; meshes
+refined by the energy estimate. Their errors are those that no later mesh exceeds.
+Grey below: the start-up, of a run of the coarse mesh less what it computes. Grey
+at the right: errors that the reference, the limit of uniform meshes by their last
+three values, does not know.
 
 Usage: panels.py CONTACT SVG
 """
@@ -45,8 +46,10 @@ def percent(value, limit):
 
 
 def curve(levels, probe, limit, start):
-    return [(percent(level["probes"][probe], limit), start + seconds(
-        levels[:k + 1])) for k, level in enumerate(levels)]
+    """Error and time of each mesh; the error that all later ones stay below."""
+    errors = [percent(level["probes"][probe], limit) for level in levels]
+    return [(max(errors[k:]), start + seconds(levels[:k + 1]))
+            for k in range(len(levels))]
 
 
 def measure(title, case, probe, n_levels, n_adaptive, goals):
@@ -55,9 +58,9 @@ def measure(title, case, probe, n_levels, n_adaptive, goals):
             begin = time.time()
             summary = solve(case, directory, *more)
             return summary, time.time() - begin
-        summary, wall = run(f"Refinement/Levels={n_levels}")
-        uniform = summary["levels"]
-        start = wall - seconds(uniform)
+        summary, wall = run("Refinement/Levels=0")
+        start = wall - seconds(summary["levels"])
+        uniform = run(f"Refinement/Levels={n_levels}")[0]["levels"]
         limit, unknown = limit_of(uniform, probe)
         adaptive = run(f"Refinement/Levels={n_adaptive}",
                        "Refinement/Strategy=adaptive")[0]["levels"]
@@ -78,7 +81,7 @@ def measure(title, case, probe, n_levels, n_adaptive, goals):
 
 
 def label(asked):
-    """What 0.1 % costs, and the next digit."""
+    """The price of 0.1 %, and of the next digit."""
     costs = [min((p[1] for p in asked if p[2] <= goal), default=None)
              for goal in (0.1, 0.01)]
     if costs[0] is None:
@@ -92,7 +95,7 @@ def script(scenes, path):
     lines = ['set terminal svg size 1180,420 font "DejaVu Sans,11" background '
              '"white"', f'set output "{path}"', "set encoding utf8", "unset key",
              "set border 3", "set tics nomirror", "set logscale xy 10",
-             "set xrange [10:0.002]", "set yrange [0.03:100]",
+             "set xrange [10:0.002]", "set yrange [0.2:30]",
              'set format x "%g"', 'set format y "%g"', "set lmargin 6",
              "set rmargin 2",
              'set grid xtics ytics back lw 1 lc rgb "#dddddd" dt 1',
@@ -100,10 +103,10 @@ def script(scenes, path):
              f"set multiplot layout 1,{len(scenes)}"]
     for n, scene in enumerate(scenes):
         lines += ["unset label", "unset object", f'set title "{scene["title"]}"',
-                  f"set object 1 rectangle from 10,0.03 to 0.002,"
+                  f"set object 1 rectangle from 10,0.2 to 0.002,"
                   f"{scene['start']:g} fc rgb '#e8e8e8' fs solid noborder behind",
-                  f"set object 2 rectangle from {scene['unknown']:g},0.03 to "
-                  "0.002,100 fc rgb '#f2f2f2' fs solid noborder behind",
+                  f"set object 2 rectangle from {scene['unknown']:g},0.2 to "
+                  "0.002,30 fc rgb '#f2f2f2' fs solid noborder behind",
                   f'set label 1 "{label(scene["on request"])}" at graph 0.04,0.95 '
                   "font ',10'", 'set label 2 "start-up" at graph 0.04, first '
                   f"{0.8 * scene['start']:g} font ',9' tc rgb '#808080'"]
@@ -113,14 +116,14 @@ def script(scenes, path):
             colour = COLOURS[(2, 3, 1)[k]]
             lines += [f"$d{n}_{k} << EOD",
                       *(" ".join(f"{x:.6g}" for x in p) for p in points), "EOD"]
-            x, y = points[-1][:2]
-            lines.append(f'set label {3 + k} "{name}" at {max(x, 0.004):g},'
-                         f"{1.35 * y:g} right tc rgb '{colour}' font ',10'")
-            plots.append(f"$d{n}_{k} using 1:2 with linespoints lw 1.6 ps 0.6 "
-                         f"dt {k + 1} pt {(4, 6, 7)[k]} lc rgb '{colour}'")
-            if name == "on request":
-                plots.append(f"$d{n}_{k} using 1:2:1:3:2:2 with xyerrorbars "
-                             f"lw 1 pt 0 lc rgb '{colour}'")
+            lines.append(f'set label {3 + k} "{name}" at graph 0.04, graph '
+                         f"{0.8 - 0.06 * k:g} tc rgb '{colour}' font ',10'"
+                         if n == 0 else "")
+            plots.append(f"$d{n}_{k} using 1:2:1:3:2:2 with xyerrorbars lw 1.4 "
+                         f"pt 7 ps 0.6 lc rgb '{colour}'"
+                         if name == "on request" else
+                         f"$d{n}_{k} using 1:2 with linespoints lw 1.6 ps 0.6 "
+                         f"dt {k + 1} pt {(4, 6)[k]} lc rgb '{colour}'")
         lines += ["plot " + ", \\\n  ".join(plots), 'set ylabel ""']
     return "\n".join(lines + ["unset multiplot", ""])
 
