@@ -276,6 +276,9 @@ def bars():
             "yields", bar + BAR.format(law.format(hardening), "NO", 3 * strain),
             "f: reaction y, Bar_y1"), {"f": (100 + slope * plastic) * area}, 1e-7)
     x = 1.3
+    compare("a bar that yields at large strain", values(
+        "yields_large", bar + BAR.format(law.format(""), "YES", 3 * (x - 1)),
+        "f: reaction y, Bar_y1"), {"f": 130 / x * area}, 1e-7)
     for law, c10, c01 in (("NEO HOOKE\n0.5, 0.", 0.5, 0),
                           ("MOONEY-RIVLIN\n0.3, 0.2, 0.", 0.3, 0.2)):
         compare(f"a bar of rubber, {law[:6]}", values(

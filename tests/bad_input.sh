@@ -59,12 +59,15 @@ expect "beside it on a refined one" "$parameters/nested.prm" \
 
 # Materials
 body=Block
-expect_entry "is one of small strain" "Solids/Material=$body: elastic-plastic"
+expect_entry "no yield stress" "Solids/Material=$body: elastic-plastic"
 expect_entry "but not elastic-plastic" "Solids/Hardening modulus=$body: 1"
 expect_entry "not allowed for Solids/Kinematics" "Solids/Kinematics=$body: medium"
 expect_entry "but not in" "Solids/Kinematics=$body: small strain"
-expect "no yield stress" "$good" --set "Solids/Material=$body: elastic-plastic" \
-  --set "Solids/Kinematics=small strain"
+expect "is one of large displacement" "$good" \
+  --set "Solids/Material=$body: neo-Hookean" --set "Solids/Kinematics=small strain"
+expect "no thermal strain of the elastic-plastic" "$good" \
+  --set "Solids/Material=$body: elastic-plastic" --set "Solids/Yield stress=$body: 1" \
+  --set "Solids/Thermal strain=$body: 1e-3*t"
 expect_entry "neo-Hookean, Mooney-Rivlin" "Solids/Material=$body: plastic"
 expect "does not yield" "$good" --set "Solids/Material=$body: neo-Hookean" \
   --set "Solids/Yield stress=$body: 1"

@@ -4,7 +4,8 @@
  * --------------------------------------------------------------------- */
 
 // Materials that are not linear elastic, in 2-D, of rings and in 3-D,
-// with the full and with the projected dilatation:
+// with the full and with the projected dilatation, yielding ones in small
+// strain and at large strain:
 //  - the tangent is the derivative of the forces, also while points yield, that
 //    have yielded before;
 //  - forces are the derivative of the energy (rubber);
@@ -60,7 +61,11 @@ namespace
 
 
 
-  void set_material(const std::string &material, Parameters::Solids &solids)
+  /// By default rubber is in large displacement, a body that yields in small
+  /// strain.
+  void set_material(const std::string  &material,
+                    const bool          yields_at_large_strain,
+                    Parameters::Solids &solids)
   {
     const Parameters::Choice<Parameters::MaterialModel> model(material);
     solids.material.emplace("Body", model);
@@ -71,6 +76,8 @@ namespace
         solids.kinematics = Parameters::Strains::large;
         return;
       }
+    if (yields_at_large_strain)
+      solids.kinematics = Parameters::Strains::large;
     solids.yield_stress["Body"]                = 10;
     solids.hardening_modulus["Body"]           = 50;
     solids.kinematic_hardening_modulus["Body"] = 30;
@@ -95,21 +102,27 @@ namespace
   template<int dim>
   void check_bodies(const std::string &what, Parameters::All parameters)
   {
-    for (const std::string material :
-         {"elastic-plastic", "neo-Hookean", "Mooney-Rivlin"})
+    const std::string large = "elastic-plastic, large strain";
+    for (const std::string material : {std::string("elastic-plastic"),
+                                       large,
+                                       std::string("neo-Hookean"),
+                                       std::string("Mooney-Rivlin")})
       for (const std::string dilatation : {"full", "B-bar"})
         {
           headline(what + ", " + material + ", " + dilatation);
           Parameters::All here   = parameters;
           here.solids.dilatation = dilatation;
-          set_material(material, here.solids);
+          set_material(material == large ? "elastic-plastic" : material,
+                       material == large,
+                       here.solids);
           here.solids.check();
           const BodiesIn<dim> bodies(here);
           Elasticity<dim>    &elasticity = *bodies.elasticity;
           const bool          yields     = !here.solids.yield_stress.empty();
+          const double size = !yields ? 0.05 : material == large ? 0.1 : 0.03;
 
           const GhostedVector zero(bodies.n_dofs());
-          const GhostedVector first  = any(bodies, yields ? 0.03 : 0.05);
+          const GhostedVector first  = any(bodies, size);
           const auto          energy = [&](const GhostedVector &u) {
             return elasticity.strain_energy(u);
           };
@@ -144,7 +157,7 @@ namespace
                       std::abs(energy(first) / stored - 1),
                       1e-13);
 
-          const GhostedVector second = any(bodies, yields ? 0.03 : 0.05);
+          const GhostedVector second = any(bodies, size);
           balance(first, second);
           const auto found = compare_with_differences(bodies, second, energy);
           if (!yields)

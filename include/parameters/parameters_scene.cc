@@ -169,7 +169,8 @@ namespace Contact
                         "'body: material' [-], separated by ','; elastic: "
                         "linear, in large displacement St. Venant and "
                         "Kirchhoff's, and so are bodies without an entry; "
-                        "elastic-plastic: of von Mises, in small strain; "
+                        "elastic-plastic: of von Mises, in large displacement "
+                        "by logarithmic strains; "
                         "neo-Hookean: in large displacement, with modulus and "
                         "ratio at zero strain; Mooney-Rivlin: the same with "
                         "the constant below.");

@@ -175,18 +175,28 @@ namespace Contact
         {
           if (model == MaterialModel::elastic)
             continue;
-          const Choice<Strains> wanted =
-            is_rubber(model) ? Strains::large : Strains::small;
-          if (kinematics.of(body) != wanted)
+          const Choice<Strains> large(Strains::large);
+          if (is_rubber(model) && kinematics.of(body) != large)
             throw EntryError("The material " + model.name() + " of " +
-                               in_quotes(body) + " is one of " + wanted.name() +
+                               in_quotes(body) + " is one of " + large.name() +
                                ".",
                              {M, "Solids/Kinematics"},
-                             "set 'Kinematics = " + wanted.name() +
+                             "set 'Kinematics = " + large.name() +
                                "', or 'Kinematics = " + body + ": " +
-                               wanted.name() + ", ...' with all bodies");
+                               large.name() + ", ...' with all bodies");
           if (model == MaterialModel::elastic_plastic)
-            check_hardening(body);
+            {
+              check_hardening(body);
+              if (kinematics.of(body) == large &&
+                  thermal_strain.count(body) > 0)
+                throw EntryError("There is no thermal strain of the "
+                                 "elastic-plastic " +
+                                   in_quotes(body) + " in " + large.name() +
+                                   ".",
+                                 {"Solids/Thermal strain", "Solids/Kinematics"},
+                                 "set 'Kinematics = small strain' of it, or "
+                                 "take it out of Thermal strain");
+            }
           if (model == MaterialModel::mooney_rivlin &&
               mooney_rivlin_constant.count(body) == 0)
             throw EntryError("The Mooney-Rivlin " + in_quotes(body) +

@@ -90,8 +90,10 @@ namespace Contact
             at.set_stress(shears.stress + state.stress);
             at.add_forces(forces);
             if constexpr (is_large)
-              smallest = std::min(
-                {smallest, at.volume_ratio(), is_elastic ? 1. : state.theta});
+              smallest =
+                std::min({smallest,
+                          at.volume_ratio(),
+                          is_elastic ? 1. : law.volume_ratio(state.theta)});
             if (!with_tangent)
               continue;
 
@@ -163,6 +165,18 @@ namespace Contact
         for (unsigned int q = 0; q < states.size(); ++q)
           sum += cell.JxW[q] * trace(stress(cell, q, states[q]));
         return sum;
+      }
+
+      double work_of_pressures(const CellTable<dim> &cell,
+                               const Vector<double> &u_0,
+                               const Vector<double> &u_1) const override
+      {
+        const auto before = states(cell, u_0), after = states(cell, u_1);
+        double     work = 0;
+        for (unsigned int q = 0; q < after.size(); ++q)
+          work += cell.JxW[q] * 0.5 * (before[q].p + after[q].p) *
+                  (after[q].theta - before[q].theta);
+        return work;
       }
 
       // d near one is known to its round-off, U(d) to p times that.
@@ -301,8 +315,8 @@ namespace Contact
       }
 
       /// The moduli at a point, and that of the volume, which they are without
-      /// where it is projected. Without the part of the stresses they are those
-      /// at rest.
+      /// where it is projected. Without the part of the stresses that of the
+      /// volume is the one at rest.
       DEAL_II_ALWAYS_INLINE auto moduli(const CellTable<dim> &cell,
                                         const unsigned int    q,
                                         const State          &state,
@@ -323,7 +337,7 @@ namespace Contact
               {
                 const SymmetricTensor<2, 3> rest;
                 tangent =
-                  law.shear_part(rest, this->history(cell, q), true).tangent;
+                  law.moduli_without_stress(state.E, this->history(cell, q));
                 of_volume = law.volume_energy(law.volume(rest).value).modulus;
               }
             else if (stiffness == StressStiffness::change_by_yielding)

@@ -125,6 +125,24 @@ namespace Contact
 
 
 
+  // That of the forces.
+  template<int dim>
+  double CellKernel<dim>::trapezoid(const CellTable<dim> &cell,
+                                    const Vector<double> &u_0,
+                                    const Vector<double> &u_1) const
+  {
+    Vector<double> d(u_1), forces(u_1.size());
+    d -= u_0;
+    for (const Vector<double> *u : {&u_0, &u_1})
+      this->forces(cell, *u, StressStiffness::with, nullptr, forces);
+    return 0.5 * (forces * d);
+  }
+
+
+
+  // In large displacement forces turn on their way: their work by the
+  // trapezoidal rule is another one than that of the law by its own strain.
+  // Thermal strains of bodies that yield are refused there.
   template<int dim>
   typename CellKernel<dim>::Works
   CellKernel<dim>::works(const CellTable<dim> &cell,
@@ -147,7 +165,12 @@ namespace Contact
           law.works(before[q], strains[q], history(cell, q));
         works.dissipation += cell.JxW[q] * at_point.dissipation;
         works.path += cell.JxW[q] * at_point.path;
+        if (!is_small_strain())
+          works.path += cell.JxW[q] * at_point.trapezoid;
       }
+    if (!is_small_strain())
+      works.path +=
+        work_of_pressures(cell, u_0, u_1) - trapezoid(cell, u_0, u_1);
     if (change != 0)
       works.thermal =
         -0.5 * change *

@@ -91,6 +91,12 @@ namespace Contact
     virtual double integral_of_trace(const CellTable<dim> &cell,
                                      const Vector<double> &u) const = 0;
 
+    /// The work of the pressures on the projected volumes from @p u_0 to @p u_1
+    /// by the trapezoidal rule: that of U, where it is quadratic.
+    virtual double work_of_pressures(const CellTable<dim> &cell,
+                                     const Vector<double> &u_0,
+                                     const Vector<double> &u_1) const = 0;
+
     /// What energy() is known to at the least, of a material without a history.
     virtual double round_off_of_energy(const CellTable<dim> &cell,
                                        const Vector<double> &u) const = 0;
@@ -126,9 +132,12 @@ namespace Contact
     }
 
   private:
-    Works works_by_rates(const CellTable<dim> &cell,
-                         const Vector<double> &u_0,
-                         const Vector<double> &u_1) const;
+    Works  works_by_rates(const CellTable<dim> &cell,
+                          const Vector<double> &u_0,
+                          const Vector<double> &u_1) const;
+    double trapezoid(const CellTable<dim> &cell,
+                     const Vector<double> &u_0,
+                     const Vector<double> &u_1) const;
 
     const MaterialLaw &law;
   };

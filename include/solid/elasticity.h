@@ -227,13 +227,14 @@ namespace Contact
       });
     }
 
-    /// Whether there are materials with a stored energy of their own. Where
-    /// they are nearly incompressible, the pressure of a volume that Newton's
-    /// method has still to correct makes the tangent indefinite.
-    bool is_hyperelastic() const
+    /// Whether there are materials of large strain. Where they keep their
+    /// volume, the pressure of one that Newton's method has still to correct
+    /// makes the tangent indefinite, and so does a neck.
+    bool has_large_strains() const
     {
-      return std::any_of(laws.begin(), laws.end(), [](const auto &law) {
-        return !law.second->is_linear() && law.second->n_history() == 0;
+      return std::any_of(laws.begin(), laws.end(), [&](const auto &law) {
+        return !law.second->is_linear() &&
+               !kernels.at(law.first)->is_small_strain();
       });
     }
 

@@ -45,7 +45,6 @@ class Body:
         self.case, self.name = case, name
         self.cells = [case.deck.cells[cell] for cell in cells]
         self.material = self.find_material(cells)
-        self.is_plastic = False
         for keyword, read in (("ELASTIC", self.elastic),
                               ("HYPERELASTIC", self.hyperelastic),
                               ("PLASTIC", self.plastic)):
@@ -123,7 +122,6 @@ class Body:
         if strains[0] != 0 or strains != sorted(set(strains)):
             rows[0].fault("plastic strains have to begin with 0 and grow",
                           "write yield stress, plastic strain")
-        self.is_plastic = True
         self.put("Material", "elastic-plastic")
         self.put("Yield stress", curve[0][1])
         if kinematic and len(curve) == 2:
@@ -201,15 +199,8 @@ def has_round_sides(case: Case) -> bool:
 def put_solids(case: Case) -> list[Body]:
     bodies = [Body(case, name, cells)
               for name, cells in case.groups.body_cells.items()]
-    plastic = [body for body in bodies if body.is_plastic]
-    kinematics = "large displacement" if case.large else "small strain"
-    if case.large and plastic:
-        case.leave(plastic[0].material["PLASTIC"],
-                   "NLGEOM=YES: bodies that yield are in small strain")
-        kinematics = ", ".join(
-            f"{body.name}: " + ("small strain" if body.is_plastic else kinematics)
-            for body in bodies)
-    case.put("Solids", "Kinematics", kinematics)
+    case.put("Solids", "Kinematics",
+             "large displacement" if case.large else "small strain")
     put_elements(case, bodies)
     return bodies
 

@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "solid/materials/elastic_plastic.h"
 #include "solid/materials/linear_elastic.h"
+#include "solid/materials/logarithmic_strain.h"
 #include "solid/materials/mooney_rivlin.h"
 #include "solid/materials/neo_hookean.h"
 
@@ -102,10 +103,18 @@ namespace Contact
               laws[body] = std::make_unique<LinearElastic>(elastic);
               break;
             case Parameters::MaterialModel::elastic_plastic:
-              laws[body] =
-                std::make_unique<ElasticPlastic>(elastic,
-                                                 hardening_of(name,
-                                                              parameters));
+              {
+                const bool is_large =
+                  parameters.kinematics.of(name) == Parameters::Strains::large;
+                laws[body] =
+                  std::make_unique<ElasticPlastic>(elastic,
+                                                   hardening_of(name,
+                                                                parameters),
+                                                   /*loads_on=*/is_large);
+                if (is_large)
+                  laws[body] =
+                    std::make_unique<LogarithmicStrain>(std::move(laws[body]));
+              }
               break;
             case Parameters::MaterialModel::neo_hookean:
               laws[body] = std::make_unique<NeoHookean>(elastic);

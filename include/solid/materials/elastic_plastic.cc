@@ -43,10 +43,12 @@ namespace Contact
 
 
   ElasticPlastic::ElasticPlastic(const Material  &elastic,
-                                 const Hardening &hardening)
+                                 const Hardening &hardening,
+                                 const bool       loads_on)
     : mu(elastic.mu)
     , bulk_modulus(elastic.lambda + 2. / 3 * elastic.mu)
     , hardening(hardening)
+    , loads_on(loads_on)
     , at_first(hardening.at(0))
     , moduli_of_deviators(2 * elastic.mu * deviator_tensor<3>())
   {
@@ -131,12 +133,19 @@ namespace Contact
     // elastic.
     bool is_elastic(const double mu) const
     {
-      if (q_square <= Y.stress * Y.stress)
-        return true;
-      const double q         = std::sqrt(q_square);
-      const double round_off = 8 * std::numeric_limits<double>::epsilon() *
-                               (q + 3 * mu * (e.norm() + plastic.norm()));
-      return q <= Y.stress + round_off;
+      return q_square <= Y.stress * Y.stress ||
+             std::sqrt(q_square) <= Y.stress + round_off(mu);
+    }
+
+    bool was_returned(const double mu) const
+    {
+      return a > 0 && std::abs(std::sqrt(q_square) - Y.stress) <= round_off(mu);
+    }
+
+    double round_off(const double mu) const
+    {
+      return 8 * std::numeric_limits<double>::epsilon() *
+             (std::sqrt(q_square) + 3 * mu * (e.norm() + plastic.norm()));
     }
   };
 
@@ -169,7 +178,8 @@ namespace Contact
     double                q;       // sqrt(3/2) |xi| of the trial state
     double                a;       // at the start
     double                da;
-    Hardening::Values     Y; // at the end
+    Hardening::Values     Y;      // at the end
+    bool                  yields; // so is the tangent
 
     SymmetricTensor<2, 3> plastic_at_end() const
     {
@@ -185,14 +195,18 @@ namespace Contact
   {
     const Trial trial = this->trial(E, history);
     Return      state{};
-    state.e       = trial.e;
-    state.plastic = trial.plastic;
-    state.a       = trial.a;
-    state.Y       = trial.Y;
-    if (trial.is_elastic(mu))
+    state.e               = trial.e;
+    state.plastic         = trial.plastic;
+    state.a               = trial.a;
+    state.Y               = trial.Y;
+    const bool is_elastic = trial.is_elastic(mu);
+    state.yields          = !is_elastic || (loads_on && trial.was_returned(mu));
+    if (!state.yields)
       return state;
-    state.q  = std::sqrt(trial.q_square);
-    state.n  = trial.xi / trial.xi.norm();
+    state.q = std::sqrt(trial.q_square);
+    state.n = trial.xi / trial.xi.norm();
+    if (is_elastic)
+      return state;
     state.da = plastic_increment(state.q, state.a);
     state.Y  = hardening.at(state.a + state.da);
     return state;
@@ -237,7 +251,7 @@ namespace Contact
     if (!with_tangent)
       return response;
     response.tangent = moduli_of_deviators;
-    if (state.da > 0)
+    if (state.yields)
       {
         const double turning = 3 * mu * state.da / state.q;
         const double along =
@@ -270,16 +284,21 @@ namespace Contact
                                            const double *history) const
   {
     const Return state = return_to_surface(E_1, history);
+    Works        works;
+    works.trapezoid =
+      mu * ((deviator(E_0) + state.e - state.plastic - state.plastic_at_end()) *
+            (E_1 - E_0));
     if (state.da == 0)
-      return Works();
+      return works;
     const auto   before = hardening.at(state.a);
     const auto   after  = hardening.at(state.a + state.da);
     const double back   = 2. / 3 * hardening.kinematic;
     const auto xi_0 = 2 * mu * deviator(E_0) - (2 * mu + back) * state.plastic;
     const auto xi_1 = std::sqrt(2. / 3) * after.stress * state.n;
-    return {hardening.initial * state.da,
-            0.5 * std::sqrt(1.5) * state.da * ((xi_1 - xi_0) * state.n) +
-              after.energy - before.energy -
-              (after.stress - hardening.initial) * state.da};
+    works.dissipation = hardening.initial * state.da;
+    works.path = 0.5 * std::sqrt(1.5) * state.da * ((xi_1 - xi_0) * state.n) +
+                 after.energy - before.energy -
+                 (after.stress - hardening.initial) * state.da;
+    return works;
   }
 } // namespace Contact

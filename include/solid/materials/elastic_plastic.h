@@ -57,7 +57,12 @@ namespace Contact
   class ElasticPlastic : public MaterialLaw
   {
   public:
-    ElasticPlastic(const Material &elastic, const Hardening &hardening);
+    /// Where it @p loads_on, the tangent of a point on the yield surface, as at
+    /// the start of an increment, is that of yielding: else a neck would begin
+    /// each increment as an elastic bar.
+    ElasticPlastic(const Material  &elastic,
+                   const Hardening &hardening,
+                   const bool       loads_on = false);
 
     Response              shear_part(const SymmetricTensor<2, 3> &E,
                                      const double                *history,
@@ -91,6 +96,7 @@ namespace Contact
 
     const double    mu, bulk_modulus;
     const Hardening hardening;
+    const bool      loads_on;
 
     /// Of a material that has not yielded yet.
     const Hardening::Values at_first;

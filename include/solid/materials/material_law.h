@@ -74,6 +74,22 @@ namespace Contact
     };
     virtual VolumeEnergy volume_energy(const double d) const = 0;
 
+    /// The ratio det F of volumes that has this d; of large displacement alone.
+    virtual double volume_ratio(const double d) const
+    {
+      return d;
+    }
+
+    /// The derivative of the stress of the shear part without what the stress
+    /// itself makes of it, positive semidefinite; of large displacement alone.
+    virtual SymmetricTensor<4, 3>
+    moduli_without_stress(const SymmetricTensor<2, 3> &,
+                          const double *history) const
+    {
+      const SymmetricTensor<2, 3> rest;
+      return shear_part(rest, history, /*with_tangent=*/true).tangent;
+    }
+
     /// Numbers of the history of a point, zero at first; the first one is the
     /// equivalent plastic strain [-].
     virtual unsigned int n_history() const
@@ -101,11 +117,12 @@ namespace Contact
      * By volume [MPa] of an increment from E_0 to E_1: what it dissipates, D,
      * and what energy W and D are more than the work by the trapezoidal rule,
      *   path = W_1 - W_0 + D - 1/2 (S_0 + S_1) : (E_1 - E_0),
-     * by a formula of its own. Only of materials with a history.
+     * by a formula of its own; and that work, by the strain that the law itself
+     * is one of. Of the shear part, and only of materials with a history.
      */
     struct Works
     {
-      double dissipation = 0, path = 0;
+      double dissipation = 0, path = 0, trapezoid = 0;
     };
     virtual Works works(const SymmetricTensor<2, 3> &,
                         const SymmetricTensor<2, 3> &,

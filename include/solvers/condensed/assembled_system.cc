@@ -182,7 +182,7 @@ namespace Contact
       {
         of_kind.solver = DefiniteSolver::create(solver_kind,
                                                 symmetric,
-                                                elasticity.is_hyperelastic(),
+                                                elasticity.has_large_strains(),
                                                 coarse_space(),
                                                 discretization.counters);
       }
