@@ -197,8 +197,6 @@ namespace Contact
             std::to_string(summary.levels.back().n_displacements) +
             " unknowns, has converged: its probes are the last ones of 'levels' "
             "in summary.json";
-        summary.may_try_again =
-          dynamic_cast<const SolverStalls *>(&failure) == nullptr;
       }
     catch (const Interrupted &interruption)
       {
@@ -334,11 +332,6 @@ namespace Contact
         try
           {
             solve_increment(step);
-          }
-        catch (const SolverStalls &stall)
-          {
-            report.increment().message = stall.what();
-            throw;
           }
         catch (const NotConverged &failure)
           {

@@ -43,8 +43,8 @@ namespace Contact
   };
 
   /**
-   * The linear solver that the user has chosen stalls. Neither shorter
-   * increments nor other loops are what was asked for.
+   * An iterative linear solver does not reach its tolerance, or does not know
+   * the present lines of contact: another one goes on in the same step.
    */
   struct SolverStalls : public NotConverged
   {

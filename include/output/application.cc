@@ -99,8 +99,7 @@ namespace Contact
       for (Parameters::All &other :
            same.with_other_loops(summary.n_displacements))
         {
-          if (summary.converged || summary.interrupted ||
-              !summary.may_try_again)
+          if (summary.converged || summary.interrupted)
             break;
           const std::string loops =
             "Friction = " + other.solution.friction.name() +

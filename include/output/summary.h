@@ -165,10 +165,6 @@ namespace Contact
     /// All that the user was told on the standard error.
     Findings findings;
 
-    /// Whether another attempt by other loops may help where it has not
-    /// converged.
-    bool may_try_again = true;
-
     /// Why an accuracy that was asked for is not reached, or nothing.
     std::string accuracy_missed;
 

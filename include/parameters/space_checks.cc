@@ -35,6 +35,10 @@ namespace Contact::Parameters
            "Solution/System",
            "multipliers are always eliminated there",
            "set 'System = condensed'");
+    refuse(solution.linear_solver == SolverKind::umfpack,
+           "Solution/Linear solver",
+           "UMFPACK is for saddle point systems",
+           "set 'Linear solver = CHOLMOD'");
     refuse(solution.geometry == GeometryLoop::newton,
            "Solution/Geometry",
            "points are paired before each Newton step there",

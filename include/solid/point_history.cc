@@ -158,7 +158,8 @@ namespace Contact
     if (discretization.degree == 1 && laws.at(body)->is_linear() &&
         enhanced.count(body) == 0 && projected.count(body) == 0)
       for (const CellTable<dim> &cell : tables.own)
-        if (cell.body == body && cell.JxW.size() == Utilities::pow(2, dim))
+        if (cell.body == body &&
+            cell.JxW.size() == GeometryInfo<dim>::vertices_per_cell)
           {
             const auto modes = stress_modes<dim>(QGauss<dim>(2), cell);
             const auto strains =

@@ -308,9 +308,8 @@ namespace Contact
 
 
 
-  // A solver with a matrix goes on where the matrix-free multigrid was the
-  // choice of the program and stalls. Of an indefinite matrix in
-  // large displacement it is not the solver's fault.
+  // Where the multigrid without a matrix stalls, a solver with a matrix goes
+  // on; where that is AMG and stalls, a factorization.
   template<int dim>
   unsigned int
   CondensedForm<dim>::solve_for_update(const GhostedVector       &rhs,
@@ -318,36 +317,27 @@ namespace Contact
                                        const Step                &step,
                                        const IncrementState<dim> &state)
   {
-    const auto solve = [&] {
-      return present_system().solve(state.solution,
-                                    state.start,
-                                    rhs,
-                                    tolerance,
-                                    update,
-                                    step.continues);
-    };
     try
       {
-        return solve();
+        return present_system().solve(state.solution,
+                                      state.start,
+                                      rhs,
+                                      tolerance,
+                                      update,
+                                      step.continues);
       }
-    catch (const MultigridStalls &stall)
+    catch (const SolverStalls &stall)
       {
-        if (parameters.linear_solver != Parameters::SolverKind::automatic)
-          {
-            if (tangent_is_indefinite(state, /*may_cost=*/true))
-              throw NotConverged(std::string(stall.what()) +
-                                 ": the matrix is not positive definite");
-            throw SolverStalls(
-              std::string(stall.what()) +
-              "; set 'Solution/Linear solver = automatic', which goes on "
-              "with CHOLMOD or AMG then");
-          }
-        screen << "      " << stall.what() << ": done from here on"
-               << std::endl;
-        solver = choose_with_matrix(model);
+        if (solver == Parameters::SolverKind::gmg)
+          solver = choose_with_matrix(model);
+        else
+          solver = DefiniteSolver::direct(Utilities::MPI::n_mpi_processes(
+            model.discretization->communicator));
+        screen << "      " << stall.what() << "; " << solver.name()
+               << " goes on from here" << std::endl;
         system = create(solver);
         system->update_pattern();
-        return solve();
+        return solve_for_update(rhs, tolerance, step, state);
       }
   }
 

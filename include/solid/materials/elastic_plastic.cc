@@ -43,12 +43,10 @@ namespace Contact
 
 
   ElasticPlastic::ElasticPlastic(const Material  &elastic,
-                                 const Hardening &hardening,
-                                 const bool       loads_on)
+                                 const Hardening &hardening)
     : mu(elastic.mu)
     , bulk_modulus(elastic.lambda + 2. / 3 * elastic.mu)
     , hardening(hardening)
-    , loads_on(loads_on)
     , at_first(hardening.at(0))
     , moduli_of_deviators(2 * elastic.mu * deviator_tensor<3>())
   {
@@ -200,7 +198,9 @@ namespace Contact
     state.a               = trial.a;
     state.Y               = trial.Y;
     const bool is_elastic = trial.is_elastic(mu);
-    state.yields          = !is_elastic || (loads_on && trial.was_returned(mu));
+    const bool loads_on =
+      trial.Y.slope + hardening.kinematic > 0 && trial.was_returned(mu);
+    state.yields = !is_elastic || loads_on;
     if (!state.yields)
       return state;
     state.q = std::sqrt(trial.q_square);

@@ -107,13 +107,10 @@ namespace Contact
           }
         std::ostringstream residual;
         residual << control.last_value();
-        throw NotConverged((is_for_cg() ? "conjugate gradients" : "GMRES") +
-                           std::string(" with AMG stall at the "
-                                       "residual ") +
+        throw SolverStalls((is_for_cg() ? "conjugate gradients" : "GMRES") +
+                           std::string(" with AMG stall at the residual ") +
                            residual.str() + " N/mm (rings: N) after " +
-                           std::to_string(max_iterations) +
-                           " iterations; set Solution/Linear solver = "
-                           "CHOLMOD, or MUMPS with several ranks");
+                           std::to_string(max_iterations) + " iterations");
       }
 
     // Solves of different depth compare by their iterations per digit.

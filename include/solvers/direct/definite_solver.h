@@ -60,6 +60,13 @@ namespace Contact
            const CoarseSpace           &coarse_space,
            Counters                    &counters);
 
+    /// The factorization for so many ranks.
+    static Parameters::SolverKind direct(const unsigned int n_ranks)
+    {
+      return n_ranks == 1 ? Parameters::SolverKind::cholmod
+                          : Parameters::SolverKind::mumps;
+    }
+
     /**
      * The meaning of "automatic". In two dimensions CHOLMOD is as fast as AMG
      * at a hundred thousand unknowns, in three at about ten thousand, and

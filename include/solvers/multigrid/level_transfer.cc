@@ -397,7 +397,7 @@ namespace Contact
     if (Utilities::MPI::max(static_cast<unsigned int>(
                               lacks_rows(lines.dofs, needed)),
                             communicator) > 0)
-      throw MultigridStalls("geometric multigrid does not know nodes that hang "
+      throw SolverStalls("geometric multigrid does not know nodes that hang "
                             "on cells inside of a body");
     coarse.set_springs(coarse_springs());
     SurfaceRows made = lines_at_nodes(lines).of_all_ranks(communicator);

@@ -16,15 +16,6 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// Matrix-free conjugate gradients do not reach their tolerance, or
-  /// there is no multigrid for the present lines of contact.
-  struct MultigridStalls : public NotConverged
-  {
-    using NotConverged::NotConverged;
-  };
-
-
-
   /**
    * Between a level of ContactMultigrid and the next finer one: the
    * interpolation of a correction, its transpose, and the lines of contact and
@@ -61,7 +52,7 @@ namespace Contact
     void initialize();
 
     /// Give the coarse level the lines and the springs of the fine one. Returns
-    /// whether they are others than before. Throws MultigridStalls where a line
+    /// whether they are others than before. Throws SolverStalls where a line
     /// has unknowns that no cell at the surfaces or supports has, as hanging
     /// nodes in a concave corner may follow. Collective.
     bool hand_down();

@@ -446,7 +446,7 @@ namespace Contact
       {
         std::ostringstream residual;
         residual << control.last_value();
-        throw MultigridStalls("geometric multigrid stalls at the residual " +
+        throw SolverStalls("geometric multigrid stalls at the residual " +
                               residual.str() + " N/mm (rings: N) after " +
                               std::to_string(max_iterations) + " iterations");
       }
