@@ -83,6 +83,11 @@ def friction():
     compare("CPE4 with friction, two steps", values(
         "friction", deck, "x: reaction x, Up_y1; y: reaction y, Up_y1"),
         expected, 1e-10)
+    pair = deck[deck.index("*CONTACT PAIR"):deck.index("*STEP")]
+    compare("general contact", values("general", deck.replace(pair, (
+        "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n"
+        "*CONTACT PROPERTY ASSIGNMENT\n, , rough\n")),
+        "x: reaction x, Up_y1; y: reaction y, Up_y1"), expected, 1e-9)
 
 
 def uniform():

@@ -17,6 +17,7 @@
 #include "base/dimension.h"
 #include "base/errors.h"
 #include "base/string_utilities.h"
+#include "mesh/automatic_pairs.h"
 #include "mesh/coarse_mesh.h"
 #include "mesh/distributed_mesh.h"
 #include "mesh/groups.h"
@@ -238,10 +239,23 @@ namespace Contact
 
 
 
+  namespace
+  {
+    MshFile file_of(const Parameters::Mesh &parameters)
+    {
+      MshFile msh = read_msh(parameters.file);
+      if (parameters.has_outer_surfaces)
+        name_outer_surfaces(msh);
+      return msh;
+    }
+  } // namespace
+
+
+
   template<int dim>
   Mesh<dim>::Mesh(const Parameters::Mesh &parameters,
                   const MPI_Comm          communicator)
-    : Mesh(parameters, read_msh(parameters.file), communicator)
+    : Mesh(parameters, file_of(parameters), communicator)
   {
   }
 

@@ -19,6 +19,7 @@
 #include "base/files.h"
 #include "base/interruption.h"
 #include "base/string_utilities.h"
+#include "mesh/automatic_pairs.h"
 #include "mesh/cad_file.h"
 #include "output/effect_runs.h"
 #include "output/result_files.h"
@@ -301,7 +302,10 @@ namespace Contact
         }
 
       for (unsigned int i = 0; i < cases.size(); ++i)
-        mesh_cad_file(cases[i], handlers[i], MPI_COMM_WORLD);
+        {
+          mesh_cad_file(cases[i], handlers[i], MPI_COMM_WORLD);
+          add_automatic_pairs(cases[i]);
+        }
 
       std::vector<RunSummary> summaries;
       for (unsigned int i = 0; i < cases.size(); ++i)

@@ -147,6 +147,21 @@ namespace Contact
 
 
 
+    /// The surfaces of contact: those that are named, or of all bodies.
+    enum class ContactSurfaces
+    {
+      named,
+      automatic
+    };
+
+    inline NamedValues<ContactSurfaces> named_values(const ContactSurfaces)
+    {
+      return {{"named", ContactSurfaces::named},
+              {"automatic", ContactSurfaces::automatic}};
+    }
+
+
+
     /// The discretization of contact.
     enum class ContactDiscretization
     {

@@ -89,6 +89,16 @@ namespace Contact
     void Contact::check_surfaces() const
     {
       const Names surfaces = {section() + "/Slave", section() + "/Master"};
+      if (is_automatic())
+        {
+          if (tied || !slave.empty() || !master.empty() || !obstacle.empty() ||
+              !excluded_points.empty())
+            throw EntryError("What is named here is not for pairs of all "
+                             "bodies.",
+                             {section() + "/Surfaces"},
+                             "give it a section of its own, 'Contact NAME'");
+          return;
+        }
       if (!obstacle.empty())
         {
           const std::string entry = section() + "/Obstacle";
@@ -129,7 +139,7 @@ namespace Contact
     {
       const std::string coulomb = section() + "/Friction coefficient";
       const std::string tresca  = section() + "/Tresca limit";
-      if (slave.empty() && frictional())
+      if (slave.empty() && !is_automatic() && frictional())
         throw EntryError("There is friction, but no contact.",
                          {friction_coefficient > 0 ? coulomb : tresca,
                           section() + "/Slave",

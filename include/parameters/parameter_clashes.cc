@@ -30,8 +30,19 @@ namespace Contact
       solids.check();
       boundary.check();
       contact.check();
-      for (const auto &further : further_contacts)
-        further.second.check();
+      std::vector<std::string> automatic;
+      if (contact.is_automatic())
+        automatic.push_back(contact.section() + "/Surfaces");
+      for (const auto &[name, further] : further_contacts)
+        {
+          further.check();
+          if (further.is_automatic())
+            automatic.push_back(further.section() + "/Surfaces");
+        }
+      if (automatic.size() > 1)
+        throw EntryError("Two sections stand for pairs of all bodies.",
+                         automatic,
+                         "name the surfaces in one of them");
       solution.check();
       refinement.check();
       probes.check(solids.symmetry);

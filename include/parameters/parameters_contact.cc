@@ -37,6 +37,13 @@ namespace Contact
                         master,
                         "Boundary group they are projected on [-].");
       prm.add_parameter(
+        "Surfaces",
+        surfaces,
+        "Automatic: instead of Slave and Master all outer faces of all bodies, "
+        "a contact pair 'Contact SLAVE MASTER' for each two that no other "
+        "section pairs, and that share no nodes [-]; the other entries of this "
+        "section are theirs.");
+      prm.add_parameter(
         "Obstacle",
         obstacle,
         "A rigid master without a mesh, instead of Master "

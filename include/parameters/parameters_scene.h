@@ -65,6 +65,10 @@ namespace Contact
       /// second order, see make_round().
       bool mid_side_nodes = false;
 
+      /// Not an entry: whether each body has a group of all its outer faces,
+      /// see name_outer_surfaces().
+      bool has_outer_surfaces = false;
+
       /// Boundary group -> {centre x, centre y, radius} [mm].
       std::map<std::string, std::vector<double>> arcs;
 
@@ -271,6 +275,10 @@ namespace Contact
       std::string slave;
       std::string master;
 
+      /// Automatic: this section stands for pairs of all bodies, see
+      /// add_automatic_pairs().
+      Choice<ContactSurfaces> surfaces = ContactSurfaces::named;
+
       /// Instead of a master: see Obstacle.
       std::map<Choice<ObstacleShape>, std::vector<double>> obstacle;
 
@@ -343,6 +351,11 @@ namespace Contact
       bool is_pair() const
       {
         return !slave.empty();
+      }
+
+      bool is_automatic() const
+      {
+        return surfaces == ContactSurfaces::automatic && !is_left_out;
       }
 
       void add_parameters(ParameterHandler &prm);

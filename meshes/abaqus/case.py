@@ -21,8 +21,9 @@ if TYPE_CHECKING:
 KEYWORDS = {**solids.KEYWORDS, **contact.KEYWORDS, **loads.KEYWORDS}
 # What others refer to comes first, wherever it stands; the others have 2.
 ORDER = {"SURFACE": 0, "AMPLITUDE": 0, "RIGIDBODY": 1, "TRANSFORM": 1,
-         "CONTACTPAIR": 3, "TIE": 3}
-QUIET = {"HEADING", "PREPRINT", "ENDSTEP", "SOLIDSECTION"}
+         "CONTACTPAIR": 3, "TIE": 3, "CONTACTINCLUSIONS": 4,
+         "CONTACTPROPERTYASSIGNMENT": 5}
+QUIET = {"CONTACT", "HEADING", "PREPRINT", "ENDSTEP", "SOLIDSECTION"}
 OUTPUT = ("OUTPUT", "PRINT", "FILE", "RESTART", "MONITOR")
 WHY = {"EXPANSION": "give Solids/Thermal strain",
        "TEMPERATURE": "give Solids/Thermal strain",
@@ -31,9 +32,7 @@ WHY = {"EXPANSION": "give Solids/Thermal strain",
        "EQUATION": "give Boundary conditions/Tied x, Tied y or Rigid",
        "MPC": "give Boundary conditions/Tied x, Tied y or Rigid",
        "COUPLING": "give Boundary conditions/Rigid",
-       "CONTACT": "general contact: give *CONTACT PAIR",
-       "CONTACTINCLUSIONS": "general contact: give *CONTACT PAIR",
-       "CONTACTPROPERTYASSIGNMENT": "general contact: give *CONTACT PAIR",
+       "CONTACTEXCLUSIONS": "give *CONTACT PAIR",
        "CONTACTINTERFERENCE": "give Contact/Interference",
        "CLEARANCE": "give Contact/Interference, negative",
        "MODELCHANGE": "pairs are there in all steps",
@@ -60,6 +59,7 @@ class Case:
         self.material: dict[str, Block] | None = None
         self.friction: dict[str, float] = {}  # by surface interaction
         self.interaction: str | None = None
+        self.general = ""  # the section of general contact
         self.obstacles: dict[str, Obstacle] = {}
         self.reference_nodes: dict[int, Obstacle] = {}
         self.moving: list[tuple[str, Obstacle]] = []

@@ -222,6 +222,26 @@ def take_pair(case: Case, block: Block, scope: Scope) -> None:
                        "are drawn, and slide as far as they do")
 
 
+def take_inclusions(case: Case, block: Block, scope: Scope) -> None:
+    """General contact, of all bodies or of surfaces."""
+    named = [row for row in block.rows if row.text(0)]
+    for row in named:
+        add_pair(case, scope, row, {})
+    if not named:
+        case.general = case.section_of_pair("all")
+        case.put(case.general, "Surfaces", "automatic")
+        case.leave(block, "contact of a body with itself: give two groups of it")
+
+
+def take_assignment(case: Case, block: Block, scope: Scope) -> None:
+    for row in block.rows:
+        friction = case.friction.get(row.text(2).upper())
+        if row.text(0) or row.text(1) or not case.general or friction is None:
+            case.leave(row, "an interaction of some surfaces: give *CONTACT PAIR")
+        elif friction:
+            case.put(case.general, "Friction coefficient", text(friction))
+
+
 def take_tie(case: Case, block: Block, scope: Scope) -> None:
     for row in block.rows:
         add_pair(case, scope, row, {"Tied": "true"})
@@ -259,4 +279,5 @@ def add_pair(case: Case, scope: Scope, row: Row, entries: dict[str, str]) -> Non
 KEYWORDS = {"SURFACE": take_surface, "RIGIDBODY": take_rigid_body,
             "SURFACEINTERACTION": take_interaction, "FRICTION": take_friction,
             "SURFACEBEHAVIOR": take_surface_behavior, "CONTACTPAIR": take_pair,
-            "TIE": take_tie}
+            "CONTACTINCLUSIONS": take_inclusions,
+            "CONTACTPROPERTYASSIGNMENT": take_assignment, "TIE": take_tie}

@@ -70,6 +70,8 @@ def put_probes(case: Case) -> None:
     for direction, group in () if asks_for_forces else supports:
         put(case, f"support {direction}", group)
     for section in [s for s in case.entries if s.startswith("Contact")]:
+        if "Slave" not in case.entries[section]:
+            continue
         slave = case.entries[section]["Slave"][0]
         nodes = {n for facet in case.groups.facets.values()
                  if slave in facet.groups for n in facet.nodes}

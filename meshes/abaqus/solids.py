@@ -51,6 +51,10 @@ class Body:
             if keyword in self.material and self.material[keyword].rows:
                 read(self.material[keyword])
 
+    @property
+    def is_plastic(self) -> bool:
+        return "PLASTIC" in self.material and bool(self.material["PLASTIC"].rows)
+
     def find_material(self, cells: list[int]) -> dict[str, Block]:
         case = self.case
         blocks = {id(b): b for c in cells if c in case.groups.sections

@@ -83,6 +83,33 @@ namespace Contact
 
 
   template<int dim>
+  const std::vector<typename DeformedSurface<dim>::Look> &
+  DeformedSurface<dim>::looks() const
+  {
+    if (look_of_facets)
+      return *look_of_facets;
+    std::vector<Look> looks;
+    for (unsigned int e = 0; e < surface.facets.size(); ++e)
+      {
+        const auto                 &places = surface.facets[e].kind->places;
+        std::vector<Tensor<1, dim>> at_nodes;
+        Look                        look{};
+        for (unsigned int a = 0; a < surface.facets[e].n_nodes(); ++a)
+          look.mean += at_nodes.emplace_back(normal(e, places[a]));
+        look.mean /= look.mean.norm();
+        for (const Tensor<1, dim> &n : at_nodes)
+          look.range =
+            std::max(look.range,
+                     2 * std::acos(std::clamp(n * look.mean, -1., 1.)));
+        looks.push_back(look);
+      }
+    look_of_facets = std::move(looks);
+    return *look_of_facets;
+  }
+
+
+
+  template<int dim>
   FacetNodes<dim>
   DeformedSurface<dim>::facet_positions(const unsigned int facet) const
   {
@@ -155,21 +182,28 @@ namespace Contact
   DeformedSurface<dim>::closest_facing(const Point<dim>      &x,
                                        const NormalCone<dim> &directions) const
   {
-    const auto closest_with = [&](const auto &is_direction) {
-      return choose(x, [&](const Projection<dim> &candidate) {
+    const auto accept = [&](const auto &is_direction) {
+      return [&, is_direction](const Projection<dim> &candidate) {
         const Tensor<1, dim> n = normal(candidate.facet, candidate.xi);
         if (!is_direction(n))
           return false;
         const Point<dim> y = position(candidate.facet, candidate.xi);
         return (y - x) * n <= directions.reach || !directions.overlap ||
                directions.overlap(x, y);
-      });
+      };
     };
-    const Projection<dim> found = closest_with(
-      [&](const Tensor<1, dim> &n) { return directions.faces(n); });
+    const std::vector<Look> &looks = this->looks();
+    const Projection<dim>    found = choose(
+      x,
+      accept([&](const Tensor<1, dim> &n) { return directions.faces(n); }),
+      [&](const unsigned int facet) {
+        return directions.may_face(looks[facet].mean, looks[facet].range);
+      });
     if (found.beyond_end && directions.at_end)
-      if (const Projection<dim> next = closest_with(
-            [&](const Tensor<1, dim> &n) { return directions.is_beside(n); });
+      if (const Projection<dim> next =
+            choose(x, accept([&](const Tensor<1, dim> &n) {
+                     return directions.is_beside(n);
+                   }));
           !next.beyond_end)
         return next;
     return found;
@@ -192,10 +226,12 @@ namespace Contact
 
 
   template<int dim>
-  Projection<dim> DeformedSurface<dim>::choose(const Point<dim> &x,
-                                               const Accept     &accept) const
+  Projection<dim>
+  DeformedSurface<dim>::choose(const Point<dim> &x,
+                               const Accept     &accept,
+                               const MayAccept  &may_accept) const
   {
-    Projection<dim> found = closest(x, accept);
+    Projection<dim> found = closest(x, accept, may_accept);
     if (found.facet == numbers::invalid_unsigned_int)
       {
         // Only to have a distance.
@@ -211,8 +247,10 @@ namespace Contact
 
 
   template<int dim>
-  Projection<dim> DeformedSurface<dim>::closest(const Point<dim> &x,
-                                                const Accept     &accept) const
+  Projection<dim>
+  DeformedSurface<dim>::closest(const Point<dim> &x,
+                                const Accept     &accept,
+                                const MayAccept  &may_accept) const
   {
     ++surface.counters().projections;
 
@@ -226,7 +264,10 @@ namespace Contact
     for (std::size_t n = std::min(leaf, all);; n = std::min(n * leaf, all))
       {
         nearest.clear();
-        tree().query(bgi::nearest(x, n), std::back_inserter(nearest));
+        tree().query(bgi::nearest(x, n) && bgi::satisfies([&](const auto &of) {
+                       return may_accept(of.second);
+                     }),
+                     std::back_inserter(nearest));
         std::vector<std::pair<double, unsigned int>> by_distance;
         for (const auto &[box, facet] : nearest)
           by_distance.emplace_back(boost::geometry::comparable_distance(x, box),
@@ -249,7 +290,7 @@ namespace Contact
                 best_distance = distance;
               }
           }
-        if (n == all)
+        if (nearest.size() < n || n == all)
           return best;
       }
   }

@@ -155,10 +155,31 @@ namespace Contact
     using Tree   = RTree<std::pair<Box, unsigned int>>;
     using Accept = std::function<bool(const Projection<dim> &)>;
 
-    /// The closest point of those accepted; off the end if there is none.
-    Projection<dim> choose(const Point<dim> &x, const Accept &accept) const;
+    /// Whether a facet may have places that are accepted.
+    using MayAccept = std::function<bool(const unsigned int facet)>;
 
-    Projection<dim> closest(const Point<dim> &x, const Accept &accept) const;
+    static bool all_facets(const unsigned int)
+    {
+      return true;
+    }
+
+    /// The closest point of those accepted; off the end if there is none.
+    Projection<dim> choose(const Point<dim> &x,
+                           const Accept     &accept,
+                           const MayAccept  &may_accept = all_facets) const;
+
+    Projection<dim> closest(const Point<dim> &x,
+                            const Accept     &accept,
+                            const MayAccept  &may_accept = all_facets) const;
+
+    /// The unit mean of the normals of a facet, and an angle to it that none of
+    /// them exceeds [rad]: twice that of those at its nodes.
+    struct Look
+    {
+      Tensor<1, dim> mean;
+      double         range;
+    };
+    const std::vector<Look> &looks() const;
 
     /**
      * Whether a surface that goes on smoothly beyond the side of a facet where
@@ -198,6 +219,7 @@ namespace Contact
     const double                             beyond_ends;
     mutable std::optional<Tree>              boxes;
     mutable std::optional<FacetNormals<dim>> of_facets;
+    mutable std::optional<std::vector<Look>> look_of_facets;
   };
 } // namespace Contact
 

@@ -58,6 +58,18 @@ namespace Contact
 
 
 
+  // Between the normals of a corner in 2-D anything may be.
+  template<int dim>
+  bool NormalCone<dim>::may_face(const Tensor<1, dim> &mean,
+                                 const double          range) const
+  {
+    const double angle = largest_angle * numbers::PI / 180 + range;
+    return (dim == 2 && normals.size() > 1) || angle >= numbers::PI ||
+           largest_cosine(mean) >= std::cos(angle);
+  }
+
+
+
   template<int dim>
   bool NormalCone<dim>::is_beside(const Tensor<1, dim> &normal) const
   {

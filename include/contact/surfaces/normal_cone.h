@@ -59,6 +59,10 @@ namespace Contact
     /// Whether a facet of this outward normal is face to face.
     bool faces(const Tensor<1, dim> &normal) const;
 
+    /// False of a facet none of whose normals, within @p range [rad] of their
+    /// @p mean, is face to face.
+    bool may_face(const Tensor<1, dim> &mean, const double range) const;
+
     /// Whether it is at least not back to back.
     bool is_beside(const Tensor<1, dim> &normal) const;
 

@@ -1,0 +1,254 @@
+/* ---------------------------------------------------------------------
+ * Copyright (C) 2026 by the authors of the contact program
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include "mesh/automatic_pairs.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "base/errors.h"
+#include "mesh/mixed_cells.h"
+
+namespace Contact
+{
+  namespace
+  {
+    /// A face that bounds a body, its corners one after the other.
+    struct OuterFace
+    {
+      std::string       body;
+      std::vector<long> nodes;
+    };
+
+    /// By corners in ascending order.
+    using OuterFaces = std::map<std::vector<long>, OuterFace>;
+
+
+
+    std::vector<long> sorted(std::vector<long> nodes)
+    {
+      std::sort(nodes.begin(), nodes.end());
+      return nodes;
+    }
+
+
+
+    std::vector<std::vector<unsigned int>>
+    corners_of_faces(const unsigned int dim, const unsigned int n_corners)
+    {
+      if (dim == 3)
+        return faces_of_volume(n_corners);
+      std::vector<std::vector<unsigned int>> edges;
+      for (unsigned int i = 0; i < n_corners; ++i)
+        edges.push_back({i, (i + 1) % n_corners});
+      return edges;
+    }
+
+
+
+    OuterFaces outer_faces(const MshFile &msh)
+    {
+      OuterFaces                  faces;
+      std::set<std::vector<long>> inner;
+      for (const auto &cell : msh.elements[msh.dimension()])
+        for (const auto &corners :
+             corners_of_faces(msh.dimension(), cell.nodes.size()))
+          {
+            OuterFace face{cell.groups.empty() ? "" : *cell.groups.begin(), {}};
+            for (const unsigned int corner : corners)
+              face.nodes.push_back(cell.nodes[corner]);
+            const auto key = sorted(face.nodes);
+            if (!faces.emplace(key, face).second)
+              inner.insert(key);
+          }
+      for (const auto &key : inner)
+        faces.erase(key);
+      return faces;
+    }
+
+
+
+    std::string surface_of(const std::string &body)
+    {
+      return body + " surface";
+    }
+
+
+
+    /// What the choice of a slave and of partners asks for.
+    struct BodySurface
+    {
+      std::set<long> nodes;
+      double         edges   = 0; // lengths of all sides of the faces [mm]
+      unsigned int   n_edges = 0;
+
+      double mean_edge() const
+      {
+        return edges / n_edges;
+      }
+    };
+
+    std::map<std::string, BodySurface> surfaces_of(const MshFile    &msh,
+                                                   const OuterFaces &faces)
+    {
+      std::map<std::string, BodySurface> surfaces;
+      for (const auto &[key, face] : faces)
+        {
+          BodySurface &surface = surfaces[face.body];
+          surface.nodes.insert(key.begin(), key.end());
+          for (unsigned int i = 0; i < face.nodes.size(); ++i)
+            {
+              const long a = face.nodes[i],
+                         b = face.nodes[(i + 1) % face.nodes.size()];
+              surface.edges += msh.nodes.at(a).distance(msh.nodes.at(b));
+              ++surface.n_edges;
+            }
+        }
+      return surfaces;
+    }
+
+
+
+    bool share_nodes(const BodySurface &a, const BodySurface &b)
+    {
+      return std::any_of(a.nodes.begin(), a.nodes.end(), [&](const long node) {
+        return b.nodes.count(node) > 0;
+      });
+    }
+
+
+
+    using TwoBodies = std::pair<std::string, std::string>;
+
+    TwoBodies in_order(const std::string &a, const std::string &b)
+    {
+      return {std::min(a, b), std::max(a, b)};
+    }
+
+
+
+    /// The bodies that named pairs are about.
+    std::set<TwoBodies> paired_by_name(const Parameters::All &parameters,
+                                       const MshFile         &msh,
+                                       const OuterFaces      &faces)
+    {
+      std::map<std::string, std::set<std::string>> bodies; // by group
+      for (const auto &element : msh.elements[msh.dimension() - 1])
+        if (const auto face = faces.find(sorted(element.nodes));
+            face != faces.end())
+          for (const std::string &group : element.groups)
+            bodies[group].insert(face->second.body);
+      std::set<TwoBodies> found;
+      for (const auto &pair : parameters.pairs())
+        for (const std::string &a : bodies[pair.slave])
+          for (const std::string &b : bodies[pair.master])
+            found.insert(in_order(a, b));
+      return found;
+    }
+
+
+
+    /// A name that a section can have.
+    std::string name_of_pair(std::string name)
+    {
+      for (char &c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' &&
+            c != '-')
+          c = ' ';
+      return name;
+    }
+
+
+
+    /// The section, or null.
+    const Parameters::Contact *
+    automatic_section(const Parameters::All &parameters)
+    {
+      if (parameters.contact.is_automatic())
+        return &parameters.contact;
+      for (const auto &further : parameters.further_contacts)
+        if (further.second.is_automatic())
+          return &further.second;
+      return nullptr;
+    }
+  } // namespace
+
+
+
+  void name_outer_surfaces(MshFile &msh)
+  {
+    auto &elements = msh.elements[msh.dimension() - 1];
+    std::map<std::vector<long>, std::size_t> known;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+      known[sorted(elements[i].nodes)] = i;
+    std::set<std::string> names;
+    for (const auto &element : elements)
+      names.insert(element.groups.begin(), element.groups.end());
+
+    for (const auto &[key, face] : outer_faces(msh))
+      {
+        const std::string name = surface_of(face.body);
+        if (names.count(name) > 0)
+          throw InputError("there is a group '" + name + "' already",
+                           msh.name,
+                           "rename it: with 'Surfaces = automatic' that is the "
+                           "name of all faces of a body");
+        if (const auto found = known.find(key); found != known.end())
+          elements[found->second].groups.insert(name);
+        else
+          elements.push_back({0, face.nodes, {name}});
+      }
+  }
+
+
+
+  void add_automatic_pairs(Parameters::All &parameters)
+  {
+    const Parameters::Contact *section = automatic_section(parameters);
+    if (section == nullptr)
+      return;
+    const MshFile    msh      = read_msh(parameters.mesh.file);
+    const OuterFaces faces    = outer_faces(msh);
+    const auto       surfaces = surfaces_of(msh, faces);
+    const auto       named    = paired_by_name(parameters, msh, faces);
+    const auto       modulus  = [&](const std::string &body) {
+      const auto found = parameters.solids.youngs_modulus.find(body);
+      return found == parameters.solids.youngs_modulus.end() ? 0
+                                                                    : found->second;
+    };
+    const auto is_better_slave = [&](const auto &a, const auto &b) {
+      return std::make_pair(modulus(a.first), a.second.mean_edge()) <
+             std::make_pair(modulus(b.first), b.second.mean_edge());
+    };
+
+    std::vector<Parameters::Contact> pairs;
+    for (auto a = surfaces.begin(); a != surfaces.end(); ++a)
+      for (auto b = std::next(a); b != surfaces.end(); ++b)
+        if (named.count(in_order(a->first, b->first)) == 0 &&
+            !share_nodes(a->second, b->second))
+          {
+            const auto &[slave, master] = is_better_slave(*b, *a)
+                                            ? std::tie(b->first, a->first)
+                                            : std::tie(a->first, b->first);
+            pairs.push_back(*section);
+            pairs.back().surfaces = Parameters::ContactSurfaces::named;
+            pairs.back().name     = name_of_pair(slave + " " + master);
+            pairs.back().slave    = surface_of(slave);
+            pairs.back().master   = surface_of(master);
+          }
+    if (pairs.empty())
+      throw InputError("there are no two bodies that could touch",
+                       "entry '" + section->section() + "/Surfaces'",
+                       "name the surfaces: bodies that share nodes, and those "
+                       "of other pairs, have no automatic pair");
+    for (const Parameters::Contact &pair : pairs)
+      if (!parameters.further_contacts.emplace(pair.name, pair).second)
+        throw InputError("two contact pairs have the name '" + pair.name + "'",
+                         pair.section(),
+                         "rename a body, or the section");
+    parameters.mesh.has_outer_surfaces = true;
+    parameters.check();
+  }
+} // namespace Contact
