@@ -398,7 +398,7 @@ namespace Contact
                               lacks_rows(lines.dofs, needed)),
                             communicator) > 0)
       throw SolverStalls("geometric multigrid does not know nodes that hang "
-                            "on cells inside of a body");
+                         "on cells inside of a body");
     coarse.set_springs(coarse_springs());
     SurfaceRows made = lines_at_nodes(lines).of_all_ranks(communicator);
     made.sort();

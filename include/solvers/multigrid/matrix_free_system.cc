@@ -447,8 +447,8 @@ namespace Contact
         std::ostringstream residual;
         residual << control.last_value();
         throw SolverStalls("geometric multigrid stalls at the residual " +
-                              residual.str() + " N/mm (rings: N) after " +
-                              std::to_string(max_iterations) + " iterations");
+                           residual.str() + " N/mm (rings: N) after " +
+                           std::to_string(max_iterations) + " iterations");
       }
     // deal.II keeps the vectors of a solver for the next one.
     GrowingVectorMemory<Vector>::release_unused_memory();
