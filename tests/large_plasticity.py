@@ -294,8 +294,8 @@ def necked():
 
 
 def indented():
-    """A rigid ball without friction in a block that hardens by a per cent, until it
-    has sunk in by a quarter of its radius. Contact begins at a node, in cells that are as
+    """A rigid ball without friction in a perfectly plastic block, until it has sunk
+    in by a quarter of its radius. Contact begins at a node, in cells that are as
     large as the contact: there Newton's method takes as many steps as it needs."""
     radius, size, depth, n, bound, ratio = 10., 60., 2.5, 20, 2., 1.16
 
@@ -309,7 +309,6 @@ def indented():
         "Mesh/File": "block.msh", "Solids/Symmetry": "axisymmetric",
         "Solids/Material": "A: elastic-plastic", "Solids/Young's modulus": "A: 1000",
         "Solids/Poisson's ratio": "A: 0.3", "Solids/Yield stress": f"A: {bound}",
-        "Solids/Hardening modulus": f"A: {0.01 * bound}",
         BC + "Displacement x": "Axis: 0", BC + "Displacement y": "Foot: 0",
         "Contact/Slave": "Top", "Contact/Obstacle": f"circle: 0, {radius}, {radius}",
         "Contact/Obstacle motion": f"y: -{depth}*t", "Solution/Increments": 40,

@@ -43,10 +43,12 @@ namespace Contact
 
 
   ElasticPlastic::ElasticPlastic(const Material  &elastic,
-                                 const Hardening &hardening)
+                                 const Hardening &hardening,
+                                 const bool       loads_on)
     : mu(elastic.mu)
     , bulk_modulus(elastic.lambda + 2. / 3 * elastic.mu)
     , hardening(hardening)
+    , loads_on(loads_on)
     , at_first(hardening.at(0))
     , moduli_of_deviators(2 * elastic.mu * deviator_tensor<3>())
   {
@@ -198,9 +200,7 @@ namespace Contact
     state.a               = trial.a;
     state.Y               = trial.Y;
     const bool is_elastic = trial.is_elastic(mu);
-    const bool loads_on =
-      trial.Y.slope + hardening.kinematic > 0 && trial.was_returned(mu);
-    state.yields = !is_elastic || loads_on;
+    state.yields          = !is_elastic || (loads_on && trial.was_returned(mu));
     if (!state.yields)
       return state;
     state.q = std::sqrt(trial.q_square);

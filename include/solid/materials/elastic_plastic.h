@@ -51,16 +51,18 @@ namespace Contact
    *   xi = s - 2/3 H_k e_p,   sqrt(3/2) |xi| <= Y(a),
    *   de_p = sqrt(3/2) da xi/|xi|,
    * by the implicit Euler method: radial return, with its consistent tangent.
-   * On the yield surface, as at the start of an increment, the tangent of what
-   * hardens is that of yielding: else it would begin each increment as if
-   * elastic. Without hardening it is elastic: what flows resists nothing.
    * The history is (a, e_p); the energy that of elastic strains and of the
    * hardening, and what is dissipated Y_0 da.
    */
   class ElasticPlastic : public MaterialLaw
   {
   public:
-    ElasticPlastic(const Material &elastic, const Hardening &hardening);
+    /// Where it @p loads_on, the tangent of a point on the yield surface, as at
+    /// the start of an increment, is that of yielding: else a neck would begin
+    /// each increment as an elastic bar.
+    ElasticPlastic(const Material  &elastic,
+                   const Hardening &hardening,
+                   const bool       loads_on = false);
 
     Response              shear_part(const SymmetricTensor<2, 3> &E,
                                      const double                *history,
@@ -94,6 +96,7 @@ namespace Contact
 
     const double    mu, bulk_modulus;
     const Hardening hardening;
+    const bool      loads_on;
 
     /// Of a material that has not yielded yet.
     const Hardening::Values at_first;
