@@ -67,14 +67,15 @@ SHORT = {
     "./run effectivity": "./run effectivity ring",
     "./run yardstick":
         "./run yardstick CHOLMOD --repetitions 1 --refinements 1",
-    "./run scaling": "./run scaling 2000",
+    "./run scaling": "./run scaling 500",
     "./run scaling space": "./run scaling space --levels 0 --ranks ''",
     "./run scaling processes":
         "./run scaling processes --levels 1,1 --ranks 1,2 --repeat 1",
     "./run adaptive": "./run adaptive 500",
     "./run oscillation": "./run oscillation mortar block",
     "./run hard --materials": "./run hard --materials one_element",
-    "./run gallery": "./run gallery --coarse --pictures $SCRATCH",
+    "./run gallery":
+        "./run gallery --coarse --examples seal --pictures $SCRATCH",
     "cmake --install build --strip --prefix ~/.local":
         "cmake --install build --strip --prefix $SCRATCH",
     "tests/fuzz/scenes.py --number 600 build/contact":

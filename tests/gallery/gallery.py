@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures of results, drawn without a screen.
 
-    gallery.py [--output DIR] [--pictures DIR] [--coarse] CONTACT
+    gallery.py [--output DIR] [--pictures DIR] [--coarse] [--examples NAME,...]
+               CONTACT
 
 CONTACT is the program; it computes the cases into DIR (output/gallery), the
 pictures go to results beside this file. VTK draws the bodies, gnuplot the
@@ -183,6 +184,8 @@ def main() -> None:
     parser.add_argument("--pictures", type=Path, metavar="DIR",
                         default=HERE / "results")
     parser.add_argument("--coarse", action="store_true")
+    parser.add_argument("--examples", metavar="NAME,...",
+                        default=",".join(examples.PICTURES))
     parser.add_argument("contact", type=Path, metavar="CONTACT")
     arguments = parser.parse_args()
     output, pictures = arguments.output.resolve(), arguments.pictures.resolve()
@@ -204,7 +207,8 @@ def main() -> None:
     space.draw_cut(case, pictures / "von_mises_space.png")
     space.draw_footprint(case, pictures / "pressure_space.png")
     space.draw_stick_and_slip(case, pictures / "stick_and_slip_space.png")
-    for name, (draw, more, coarser) in examples.PICTURES.items():
+    for name in arguments.examples.split(","):
+        draw, more, coarser = examples.PICTURES[name]
         case = run_case(arguments.contact.resolve(), f"examples/{name}", output,
                         more | (coarser if arguments.coarse else {}))
         draw(case, pictures / f"{name}.png")
