@@ -12,7 +12,7 @@
 
 namespace Tests
 {
-  inline const double youngs_modulus = 1000, shortening = 0.01;
+  inline const double patch_modulus = 1000, shortening = 0.01;
 
   // The blocks that are pressed.
   struct PatchCase
@@ -40,7 +40,7 @@ namespace Tests
                                                  {"lower", "upper"},
                                                  c.degree,
                                                  "small strain",
-                                                 youngs_modulus,
+                                                 patch_modulus,
                                                  c.poisson);
     parameters.contact.slave   = "upper bottom";
     parameters.contact.master  = "lower top";
@@ -59,7 +59,7 @@ namespace Tests
 
   inline double exact_pressure(const double poisson)
   {
-    return youngs_modulus / (1 - poisson * poisson) * shortening / 2;
+    return patch_modulus / (1 - poisson * poisson) * shortening / 2;
   }
 
 

@@ -259,7 +259,7 @@ namespace
     const bool converged = model.solve(1, false) > 0;
 
     const double pressure =
-      youngs_modulus * shortening / 2 / ((1 + poisson) * (1 - 2 * poisson));
+      patch_modulus * shortening / 2 / ((1 + poisson) * (1 - 2 * poisson));
     SymmetricTensor<2, 3> exact;
     exact[0][0] = exact[1][1] = -pressure;
     exact[2][2]               = -2 * poisson * pressure;

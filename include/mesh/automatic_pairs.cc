@@ -209,6 +209,10 @@ namespace Contact
     const Parameters::Contact *section = automatic_section(parameters);
     if (section == nullptr)
       return;
+    if (parameters.solids.symmetry == Parameters::Symmetry::axisymmetric)
+      throw InputError("the axis would be a surface of rings",
+                       "entry '" + section->section() + "/Surfaces'",
+                       "name slave and master");
     const MshFile    msh      = read_msh(parameters.mesh.file);
     const OuterFaces faces    = outer_faces(msh);
     const auto       surfaces = surfaces_of(msh, faces);

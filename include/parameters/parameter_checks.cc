@@ -92,7 +92,7 @@ namespace Contact
       if (is_automatic())
         {
           if (tied || !slave.empty() || !master.empty() || !obstacle.empty() ||
-              !excluded_points.empty())
+              !excluded_points.empty() || !interference.empty())
             throw EntryError("What is named here is not for pairs of all "
                              "bodies.",
                              {section() + "/Surfaces"},
