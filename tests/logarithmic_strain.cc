@@ -161,7 +161,7 @@ namespace
 
 
 
-  /// What is stored, and dissipated since @p history.
+  /// The work that is stored, and dissipated since @p history.
   double work(const MaterialLaw         &law,
               const Strain              &E,
               const std::vector<double> &history)

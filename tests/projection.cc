@@ -5,8 +5,9 @@
 
 // Proves that the closest point of an edge is the projection of the normal
 // where there is one, on straight and on parabolic edges; that the ends of the
-// surface reach as far as the documented overhang and no further; and that at
-// a corner the corner is found.
+// surface reach as far as the documented overhang and no further; that at a
+// corner the corner is found; and that all normals of a face, however it is
+// bent, and of its overhang are in its range.
 
 #include "contact/surfaces/deformed_surface.h"
 #include "tests.h"
@@ -202,6 +203,44 @@ namespace
     check("from the inside the projection point on the nearer face",
           face_found);
   }
+
+
+
+  // Nodes off a plane, at random, by a part of half an edge.
+  void normals(const unsigned int n_vertices,
+               const unsigned int degree,
+               const double       part)
+  {
+    headline("normals of faces of " + std::to_string(n_vertices) +
+             " corners, degree " + std::to_string(degree));
+    const double        end  = 1 + DeformedSurface<3>::overhang;
+    const FacetKind<3> &kind = facet_kind<3>(n_vertices, degree);
+    Random              random;
+    bool                contained = true;
+    double              largest   = 0;
+    for (unsigned int k = 0; k < 300; ++k)
+      {
+        PerFacetNode<3, Point<3>> x;
+        for (unsigned int a = 0; a < kind.n_nodes; ++a)
+          x[a] = Point<3>(kind.places[a][0] + random(-part, part),
+                          kind.places[a][1] + random(-part, part),
+                          random(-part, part));
+        const DirectionRange<3> found = normal_range<3>(kind, x);
+        for (unsigned int q = 0; q < 100; ++q)
+          {
+            const Point<2> xi(random(-end, end), random(-end, end));
+            if (kind.outwardness(xi) > end)
+              continue;
+            const double angle = std::acos(
+              std::min(1., facet_normal<3>(kind, x, xi) * found.mean));
+            contained = contained && angle <= found.range + 1e-7;
+            largest   = std::max(largest, angle);
+          }
+      }
+    check("in their range", contained);
+    if (degree == 2)
+      check("bent by more than half a right angle", largest > numbers::PI / 4);
+  }
 } // namespace
 
 
@@ -214,5 +253,8 @@ int main()
   parabola(0.05);
   for (const unsigned int degree : {1, 2})
     corner(degree);
+  for (const unsigned int n_vertices : {3, 4})
+    for (const unsigned int degree : {1, 2})
+      normals(n_vertices, degree, 0.15);
   return 0;
 }

@@ -77,7 +77,7 @@ namespace Contact
 
 
 
-    /// What the choice of a slave and of partners asks for.
+    /// The outer faces of a body: their nodes, and how large they are.
     struct BodySurface
     {
       std::set<long> nodes;
@@ -162,6 +162,35 @@ namespace Contact
 
 
 
+    /// Give each body the group of its outer faces.
+    void name_outer_surfaces(MshFile &msh)
+    {
+      auto &elements = msh.elements[msh.dimension() - 1];
+      std::map<std::vector<long>, std::size_t> known;
+      for (std::size_t i = 0; i < elements.size(); ++i)
+        known[sorted(elements[i].nodes)] = i;
+      std::set<std::string> names;
+      for (const auto &element : elements)
+        names.insert(element.groups.begin(), element.groups.end());
+
+      for (const auto &[key, face] : outer_faces(msh))
+        {
+          const std::string name = surface_of(face.body);
+          if (names.count(name) > 0)
+            throw InputError(
+              "there is a group '" + name + "' already",
+              msh.name,
+              "rename it: with 'Surfaces = automatic' that is the "
+              "name of all faces of a body");
+          if (const auto found = known.find(key); found != known.end())
+            elements[found->second].groups.insert(name);
+          else
+            elements.push_back({0, face.nodes, {name}});
+        }
+    }
+
+
+
     /// The section, or null.
     const Parameters::Contact *
     automatic_section(const Parameters::All &parameters)
@@ -177,29 +206,12 @@ namespace Contact
 
 
 
-  void name_outer_surfaces(MshFile &msh)
+  MshFile read_with_surfaces(const Parameters::Mesh &parameters)
   {
-    auto &elements = msh.elements[msh.dimension() - 1];
-    std::map<std::vector<long>, std::size_t> known;
-    for (std::size_t i = 0; i < elements.size(); ++i)
-      known[sorted(elements[i].nodes)] = i;
-    std::set<std::string> names;
-    for (const auto &element : elements)
-      names.insert(element.groups.begin(), element.groups.end());
-
-    for (const auto &[key, face] : outer_faces(msh))
-      {
-        const std::string name = surface_of(face.body);
-        if (names.count(name) > 0)
-          throw InputError("there is a group '" + name + "' already",
-                           msh.name,
-                           "rename it: with 'Surfaces = automatic' that is the "
-                           "name of all faces of a body");
-        if (const auto found = known.find(key); found != known.end())
-          elements[found->second].groups.insert(name);
-        else
-          elements.push_back({0, face.nodes, {name}});
-      }
+    MshFile msh = read_msh(parameters.file);
+    if (parameters.has_outer_surfaces)
+      name_outer_surfaces(msh);
+    return msh;
   }
 
 

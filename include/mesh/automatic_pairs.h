@@ -11,10 +11,11 @@
 
 namespace Contact
 {
-  /// Give each body NAME the group "NAME surface", of all faces that bound it;
-  /// those between bodies that share their nodes bound none. Throws InputError
-  /// if there is such a group.
-  void name_outer_surfaces(MshFile &msh);
+  /// Read the mesh file. If it has to have outer surfaces each body NAME has
+  /// the group "NAME surface" of all faces that bound it; those between bodies
+  /// that share their nodes bound none. Throws InputError if there is such a
+  /// group.
+  MshFile read_with_surfaces(const Parameters::Mesh &parameters);
 
   /**
    * In place of a section with "Surfaces = automatic" a contact pair for each

@@ -239,23 +239,10 @@ namespace Contact
 
 
 
-  namespace
-  {
-    MshFile file_of(const Parameters::Mesh &parameters)
-    {
-      MshFile msh = read_msh(parameters.file);
-      if (parameters.has_outer_surfaces)
-        name_outer_surfaces(msh);
-      return msh;
-    }
-  } // namespace
-
-
-
   template<int dim>
   Mesh<dim>::Mesh(const Parameters::Mesh &parameters,
                   const MPI_Comm          communicator)
-    : Mesh(parameters, file_of(parameters), communicator)
+    : Mesh(parameters, read_with_surfaces(parameters), communicator)
   {
   }
 

@@ -66,7 +66,7 @@ namespace Contact
       bool mid_side_nodes = false;
 
       /// Not an entry: whether each body has a group of all its outer faces,
-      /// see name_outer_surfaces().
+      /// see read_with_surfaces().
       bool has_outer_surfaces = false;
 
       /// Boundary group -> {centre x, centre y, radius} [mm].

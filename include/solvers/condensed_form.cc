@@ -308,8 +308,8 @@ namespace Contact
 
 
 
-  // Where the multigrid without a matrix stalls, a solver with a matrix goes
-  // on; where that is AMG and stalls, a factorization.
+  // A solver with a matrix goes on where the multigrid without one stalls, and
+  // a factorization where AMG does.
   template<int dim>
   unsigned int
   CondensedForm<dim>::solve_for_update(const GhostedVector       &rhs,

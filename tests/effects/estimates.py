@@ -33,14 +33,14 @@ def solve(contact, scene, *settings):
     """The summary of a run, or none and a sentence if there is no result. The
     SETTINGS count more than those of the scene."""
     scene, *own = scene.split(" --set ")
+    own = ["Output/VTU=false", "Output/Profile=false", "Probes/References=",
+           "Probes/Tolerances=", *own]
     file = scene if scene.endswith(".prm") else parameters / f"{scene}.prm"
     names = {setting.split("=")[0] for setting in settings}
     settings = [s for s in own if s.split("=")[0] not in names] + [*settings]
     with tempfile.TemporaryDirectory() as directory:
         command = [str(contact), str(file), "--quiet"]
-        for setting in (f"Output/Directory={directory}", "Output/VTU=false",
-                        "Output/Profile=false", "Probes/References=",
-                        "Probes/Tolerances=", *settings):
+        for setting in (f"Output/Directory={directory}", *settings):
             command += ["--set", setting]
         try:
             ended = subprocess.run(command, capture_output=True, text=True,

@@ -32,29 +32,6 @@ namespace Contact
 
 
 
-  template<int dim>
-  BodyOverlap<dim>::Known::Known(const Surface<dim>  &surface,
-                                 const GhostedVector &u)
-    : surface(surface, u, /*overhang=*/0.)
-  {
-    double longest = 0;
-    for (unsigned int e = 0; e < surface.facets.size(); ++e)
-      {
-        for (unsigned int s = 0; s < surface.facets[e].n_sides(); ++s)
-          if (surface.facets[e].ends_surface(s))
-            return;
-        longest = std::max(longest, surface.reference_length(e));
-      }
-    std::vector<Point<dim>> all;
-    for (unsigned int e = 0; e < surface.facets.size(); ++e)
-      for (const Point<dim> &x : this->surface.hull(e))
-        all.push_back(x);
-    box.emplace(all);
-    box->extend(DeformedSurface<dim>::overhang * longest);
-  }
-
-
-
   namespace
   {
     /// Whether a place is beyond an end of a surface, by more than @p slack,
@@ -85,15 +62,13 @@ namespace Contact
   {
     if (deformed[body].empty())
       for (const Surface<dim> *surface : surfaces[body])
-        deformed[body].emplace_back(*surface, u);
+        deformed[body].emplace_back(*surface, u, /*overhang=*/0.);
 
     const double round_off = 1e-8;
     double       nearest = std::numeric_limits<double>::max(), beyond = 0;
     bool         is_behind = false, is_beyond = false;
-    for (const auto &[surface, box] : deformed[body])
+    for (const DeformedSurface<dim> &surface : deformed[body])
       {
-        if (box && !box->point_inside(x))
-          return false;
         const Projection<dim> projection = surface.closest_point(x);
         const double          distance =
           std::sqrt(surface.distance_square(x, projection));

@@ -43,21 +43,11 @@ namespace Contact
   private:
     bool is_inside(const Point<dim> &x, const unsigned int body) const;
 
-    /// One of the surfaces, and if it has no end the box that holds all places
-    /// which may count as inside of it.
-    struct Known
-    {
-      Known(const Surface<dim> &surface, const GhostedVector &u);
-
-      DeformedSurface<dim>            surface;
-      std::optional<BoundingBox<dim>> box;
-    };
-
     const Surfaces      &surfaces;
     const GhostedVector &u;
 
     /// Made when they are first asked for.
-    mutable std::array<std::list<Known>, 2> deformed;
+    mutable std::array<std::list<DeformedSurface<dim>>, 2> deformed;
   };
 } // namespace Contact
 

@@ -83,28 +83,17 @@ namespace Contact
 
 
   template<int dim>
-  const std::vector<typename DeformedSurface<dim>::Look> &
-  DeformedSurface<dim>::looks() const
+  const std::vector<DirectionRange<dim>> &
+  DeformedSurface<dim>::normal_ranges() const
   {
-    if (look_of_facets)
-      return *look_of_facets;
-    std::vector<Look> looks;
-    for (unsigned int e = 0; e < surface.facets.size(); ++e)
+    if (!ranges)
       {
-        const auto                 &places = surface.facets[e].kind->places;
-        std::vector<Tensor<1, dim>> at_nodes;
-        Look                        look{};
-        for (unsigned int a = 0; a < surface.facets[e].n_nodes(); ++a)
-          look.mean += at_nodes.emplace_back(normal(e, places[a]));
-        look.mean /= look.mean.norm();
-        for (const Tensor<1, dim> &n : at_nodes)
-          look.range =
-            std::max(look.range,
-                     2 * std::acos(std::clamp(n * look.mean, -1., 1.)));
-        looks.push_back(look);
+        ranges.emplace();
+        for (unsigned int e = 0; e < surface.facets.size(); ++e)
+          ranges->push_back(
+            normal_range(*surface.facets[e].kind, facet_positions(e)));
       }
-    look_of_facets = std::move(looks);
-    return *look_of_facets;
+    return *ranges;
   }
 
 
@@ -192,13 +181,14 @@ namespace Contact
                directions.overlap(x, y);
       };
     };
-    const std::vector<Look> &looks = this->looks();
-    const Projection<dim>    found = choose(
-      x,
-      accept([&](const Tensor<1, dim> &n) { return directions.faces(n); }),
-      [&](const unsigned int facet) {
-        return directions.may_face(looks[facet].mean, looks[facet].range);
-      });
+    const auto           &ranges = normal_ranges();
+    const Projection<dim> found =
+      choose(x,
+             accept(
+               [&](const Tensor<1, dim> &n) { return directions.faces(n); }),
+             [&](const unsigned int facet) {
+               return directions.may_face(ranges[facet]);
+             });
     if (found.beyond_end && directions.at_end)
       if (const Projection<dim> next =
             choose(x, accept([&](const Tensor<1, dim> &n) {

@@ -172,14 +172,8 @@ namespace Contact
                             const Accept     &accept,
                             const MayAccept  &may_accept = all_facets) const;
 
-    /// The unit mean of the normals of a facet, and an angle to it that none of
-    /// them exceeds [rad]: twice that of those at its nodes.
-    struct Look
-    {
-      Tensor<1, dim> mean;
-      double         range;
-    };
-    const std::vector<Look> &looks() const;
+    /// By facet.
+    const std::vector<DirectionRange<dim>> &normal_ranges() const;
 
     /**
      * Whether a surface that goes on smoothly beyond the side of a facet where
@@ -216,10 +210,10 @@ namespace Contact
 
     const Tree &tree() const;
 
-    const double                             beyond_ends;
-    mutable std::optional<Tree>              boxes;
-    mutable std::optional<FacetNormals<dim>> of_facets;
-    mutable std::optional<std::vector<Look>> look_of_facets;
+    const double                                            beyond_ends;
+    mutable std::optional<Tree>                             boxes;
+    mutable std::optional<FacetNormals<dim>>                of_facets;
+    mutable std::optional<std::vector<DirectionRange<dim>>> ranges;
   };
 } // namespace Contact
 

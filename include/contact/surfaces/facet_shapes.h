@@ -179,6 +179,34 @@ namespace Contact
     return outward / outward.norm();
   }
 
+  /// Directions that are within an angle @p range [rad] of a unit vector.
+  template<int dim>
+  struct DirectionRange
+  {
+    Tensor<1, dim> mean;
+    double         range = 0;
+  };
+
+  /// The normals of a facet and its overhang, four times as far from their mean
+  /// as those at its nodes: those of faces that are bent by more than a right
+  /// angle from end to end may be anywhere.
+  template<int dim>
+  DirectionRange<dim> normal_range(const FacetKind<dim>                &kind,
+                                   const PerFacetNode<dim, Point<dim>> &x)
+  {
+    std::vector<Tensor<1, dim>> at_nodes;
+    DirectionRange<dim>         found;
+    for (unsigned int a = 0; a < kind.n_nodes; ++a)
+      found.mean +=
+        at_nodes.emplace_back(facet_normal<dim>(kind, x, kind.places[a]));
+    found.mean /= found.mean.norm();
+    for (const Tensor<1, dim> &n : at_nodes)
+      found.range =
+        std::max(found.range,
+                 4 * std::acos(std::clamp(n * found.mean, -1., 1.)));
+    return found;
+  }
+
   /// The vectors along a facet with d_i . t_j = delta_ij.
   inline std::array<Tensor<1, 3>, 2>
   dual_basis(const std::array<Tensor<1, 3>, 2> &t)

@@ -60,12 +60,13 @@ namespace Contact
 
   // Between the normals of a corner in 2-D anything may be.
   template<int dim>
-  bool NormalCone<dim>::may_face(const Tensor<1, dim> &mean,
-                                 const double          range) const
+  bool
+  NormalCone<dim>::may_face(const DirectionRange<dim> &normals_of_facet) const
   {
-    const double angle = largest_angle * numbers::PI / 180 + range;
+    const double angle =
+      largest_angle * numbers::PI / 180 + normals_of_facet.range;
     return (dim == 2 && normals.size() > 1) || angle >= numbers::PI ||
-           largest_cosine(mean) >= std::cos(angle);
+           largest_cosine(normals_of_facet.mean) >= std::cos(angle);
   }
 
 

@@ -59,9 +59,8 @@ namespace Contact
     /// Whether a facet of this outward normal is face to face.
     bool faces(const Tensor<1, dim> &normal) const;
 
-    /// False of a facet none of whose normals, within @p range [rad] of their
-    /// @p mean, is face to face.
-    bool may_face(const Tensor<1, dim> &mean, const double range) const;
+    /// False of a facet none of whose normals is face to face.
+    bool may_face(const DirectionRange<dim> &normals_of_facet) const;
 
     /// Whether it is at least not back to back.
     bool is_beside(const Tensor<1, dim> &normal) const;

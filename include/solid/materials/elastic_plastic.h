@@ -57,9 +57,9 @@ namespace Contact
   class ElasticPlastic : public MaterialLaw
   {
   public:
-    /// Where it @p loads_on, the tangent of a point on the yield surface, as at
-    /// the start of an increment, is that of yielding: else a neck would begin
-    /// each increment as an elastic bar.
+    /// The tangent of a point on the yield surface, as at the start of an
+    /// increment, is that of yielding if it @p loads_on: else a neck would
+    /// begin each increment as an elastic bar.
     ElasticPlastic(const Material  &elastic,
                    const Hardening &hardening,
                    const bool       loads_on = false);
