@@ -174,12 +174,11 @@ int main(int argc, char **argv)
       Contact::Counters counters;
       const auto        definite = DefiniteSolver::create(
         Contact::Parameters::Choice<Contact::Parameters::SolverKind>(solver),
-        /*symmetric=*/true,
         /*may_be_indefinite=*/false,
         space,
         counters);
       definite->set_matrix(matrix,
-                           /*symmetric=*/true,
+                           matrix,
                            /*new_pattern=*/true,
                            {});
       // The load is 1 N/mm; the contact program solves to the same.

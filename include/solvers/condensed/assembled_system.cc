@@ -156,42 +156,32 @@ namespace Contact
   template<int dim>
   void AssembledSystem<dim>::reset_matrix(const DynamicSparsityPattern &pattern)
   {
-    for (Solver &solver : solvers)
-      {
-        if (solver.solver)
-          solver.solver->release();
-        solver.pattern_is_new = true;
-      }
-    current = nullptr;
+    if (solver)
+      solver->release();
+    pattern_is_new = true;
+    is_set         = false;
+    tresca_matrix.clear();
     matrix.clear();
     matrix.reinit(owned, owned, pattern, discretization.communicator);
   }
 
 
 
-  // Each kind of matrix has a solver of its own, made when the first one comes.
   template<int dim>
   void AssembledSystem<dim>::prepare()
   {
-    current              = nullptr;
-    const bool symmetric = elimination.is_symmetric();
-    const bool first =
-      symmetric || DefiniteSolver::has_room_for_both(solver_kind);
-    Solver &of_kind = solvers[first ? 0 : 1];
-    if (!of_kind.solver)
-      {
-        of_kind.solver = DefiniteSolver::create(solver_kind,
-                                                symmetric,
-                                                elasticity.has_large_strains(),
-                                                coarse_space(),
-                                                discretization.counters);
-      }
-    of_kind.solver->set_matrix(matrix,
-                               symmetric,
-                               of_kind.pattern_is_new,
-                               elimination.eliminated_dofs());
-    of_kind.pattern_is_new = false;
-    current                = of_kind.solver.get();
+    is_set = false;
+    if (!solver)
+      solver = DefiniteSolver::create(solver_kind,
+                                      elasticity.has_large_strains(),
+                                      coarse_space(),
+                                      discretization.counters);
+    solver->set_matrix(matrix,
+                       elimination.is_symmetric() ? matrix : tresca_matrix,
+                       pattern_is_new,
+                       elimination.eliminated_dofs());
+    pattern_is_new = false;
+    is_set         = true;
   }
 
 
@@ -226,7 +216,7 @@ namespace Contact
     const unsigned int     n            = owned.n_elements();
     DefiniteSolver::Vector b(owned, communicator), of_rank(owned, communicator);
     std::copy_n(rhs.begin(), n, b.begin());
-    const unsigned int n_iterations = current->solve(b, tolerance, of_rank);
+    const unsigned int n_iterations = solver->solve(b, tolerance, of_rank);
     std::copy_n(of_rank.begin(), n, x.begin());
     return n_iterations;
   }
@@ -240,9 +230,27 @@ namespace Contact
       keep_interface_rows();
     else
       restore_interface_rows();
-    CondensedTangents sum(elimination.constraints(),
-                          elimination.test_constraints(),
-                          matrix);
+    if (!elimination.is_symmetric())
+      {
+        if (tresca_matrix.m() == 0)
+          tresca_matrix.reinit(matrix);
+        tresca_matrix.copy_from(matrix);
+        add_interface(elimination.constraints(), {}, tresca_matrix);
+      }
+    add_interface(elimination.test_constraints(),
+                  elimination.pairing_terms(),
+                  matrix);
+  }
+
+
+
+  template<int dim>
+  void AssembledSystem<dim>::add_interface(
+    const AffineConstraints<double>          &test_constraints,
+    const std::vector<PairingStiffness<dim>> &pairing_terms,
+    DefiniteSolver::Matrix                   &matrix) const
+  {
+    CondensedTangents sum(elimination.constraints(), test_constraints, matrix);
     for (unsigned int k = 0; k < interface_cells.size(); ++k)
       {
         const Dofs &dofs = elasticity.dofs_of_cell(interface_cells[k]);
@@ -252,8 +260,7 @@ namespace Contact
       if (term.is_own())
         sum.add(term.stiffness, term.dofs, term.dofs);
     const auto of_pairing =
-      PairingStiffness<dim>::at_owners(elimination.pairing_terms(),
-                                       discretization);
+      PairingStiffness<dim>::at_owners(pairing_terms, discretization);
     std::list<FullMatrix<double>> matrices; // until finish()
     for (const auto &term : of_pairing)
       sum.add(matrices.emplace_back(term.matrix()), term.rows, term.columns);

@@ -43,12 +43,12 @@ namespace Contact
       std::optional<TimerOutput::Scope> scope;
       if (may_cost && solver_kind == Parameters::SolverKind::amg)
         scope.emplace(timer, "stability");
-      return current != nullptr && current->is_indefinite(may_cost);
+      return is_set && solver->is_indefinite(may_cost);
     }
 
     bool knows_definiteness() const override
     {
-      return current == nullptr || current->knows_definiteness();
+      return !is_set || solver->knows_definiteness();
     }
 
     /// The matrix of the last solve.
@@ -88,6 +88,9 @@ namespace Contact
                                const double         tolerance,
                                GhostedVector       &x) override;
 
+    void add_interface(const AffineConstraints<double> &test_constraints,
+                       const std::vector<PairingStiffness<dim>> &pairing_terms,
+                       DefiniteSolver::Matrix                   &matrix) const;
     DefiniteSolver::CoarseSpace coarse_space();
 
     void reset_matrix(const DynamicSparsityPattern &pattern);
@@ -104,23 +107,23 @@ namespace Contact
     void for_interface_rows(
       const std::function<void(const int n, double *values)> &visit);
 
-    InterfaceCouplings<dim>          couplings; // that the matrix has room for
-    DefiniteSolver::Matrix           matrix;
+    InterfaceCouplings<dim> couplings; // that the matrix has room for
+    DefiniteSolver::Matrix  matrix;
+
+    /// Where that is not symmetric, that of Tresca's problem: the bounds of
+    /// friction stay.
+    DefiniteSolver::Matrix           tresca_matrix;
     std::vector<std::vector<double>> kept_rows; // by owned interface unknown
 
     /// By bulk cell what yielding has changed in its tangent in the matrix.
     std::map<unsigned int, FullMatrix<double>> changes;
 
-    /// For symmetric matrices and for the others.
-    struct Solver
-    {
-      std::unique_ptr<DefiniteSolver> solver; // when it is first needed
-      bool                            pattern_is_new = true;
-    };
     const Parameters::SolverKind         solver_kind;
     std::unique_ptr<DegreeTransfer<dim>> transfer; // of AMG at degree 2
-    std::array<Solver, 2>                solvers;
-    DefiniteSolver *current = nullptr; // the owner of the matrix
+    std::unique_ptr<DefiniteSolver>      solver;   // when it is first needed
+
+    /// Whether it has the matrix, and that a pattern that it does not know.
+    bool is_set = false, pattern_is_new = true;
   };
 } // namespace Contact
 

@@ -44,18 +44,15 @@ namespace Contact
     };
 
     /**
-     * CHOLMOD (one rank), MUMPS, or AMG: conjugate gradients with Trilinos'
-     * smoothed aggregation, which takes the modes of the @p coarse_space as
-     * near null space, and alone needs it. For matrices that are not @p
-     * symmetric, but for the rows at the interface alone: UMFPACK instead of
-     * CHOLMOD, and GMRES with the same multigrid. A matrix that is not
-     * definite, if it @p may_be_indefinite, CHOLMOD leaves to UMFPACK.
-     * Operations are counted by
-     * @p counters.
+     * CHOLMOD (one rank) or AMG, as a preconditioner that is kept
+     * (IterativeSolver), or MUMPS. AMG takes the modes of the @p coarse_space
+     * as near null space, and alone needs it. A matrix that is not definite, if
+     * it
+     * @p may_be_indefinite, or unsymmetric with a symmetric part that is not,
+     * CHOLMOD leaves to UMFPACK. Operations are counted by @p counters.
      */
     static std::unique_ptr<DefiniteSolver>
     create(const Parameters::SolverKind kind,
-           const bool                   symmetric,
            const bool                   may_be_indefinite,
            const CoarseSpace           &coarse_space,
            Counters                    &counters);
@@ -69,9 +66,10 @@ namespace Contact
 
     /**
      * The meaning of "automatic". In two dimensions CHOLMOD is as fast as AMG
-     * at a hundred thousand unknowns, in three at about ten thousand, and
-     * faster the more often an analysis or a factorization serves; beyond, its
-     * time and memory grow faster.
+     * at a hundred thousand unknowns, in three at some twenty-five thousand
+     * (tetrahedra; hexahedra with friction at twice that), and faster the more
+     * often an analysis or a factorization serves; beyond, its time and memory
+     * grow faster.
      */
     static Parameters::SolverKind choose(const unsigned int dimension,
                                          const std::size_t  n_unknowns,
@@ -86,31 +84,25 @@ namespace Contact
 
     using Dofs = std::vector<types::global_dof_index>;
 
-    /// Whether one solver takes symmetric matrices and others in turn.
-    static bool has_room_for_both(const Parameters::SolverKind kind)
-    {
-      return kind == Parameters::SolverKind::amg;
-    }
-
     /**
-     * Take the matrix, which has to live until it is replaced; say whether it
-     * is @p symmetric, whether it has another pattern than the last one, and
-     * which unknowns are @p eliminated from it, in ascending order, on all
-     * ranks the same. Throws NotConverged if it cannot be factorized: CHOLMOD
-     * if it is not positive definite and should be, MUMPS if it is singular;
-     * AMG finds out when it solves.
+     * Take the matrix, which has to live until it is replaced. One that is not
+     * symmetric has a symmetric and definite one @p nearby; else that is the
+     * same. Say whether it has another pattern than the last one, and which
+     * unknowns are @p eliminated from it, in ascending order, on all ranks the
+     * same. Throws NotConverged if it cannot be factorized: CHOLMOD if it is
+     * not positive definite and should be, MUMPS if it is singular; AMG finds
+     * out when it solves.
      */
     virtual void set_matrix(const Matrix &matrix,
-                            const bool    symmetric,
+                            const Matrix &nearby,
                             const bool    new_pattern,
                             const Dofs   &eliminated) = 0;
 
     /// Whether the matrix is known to be indefinite: by its factorization
-    /// (CHOLMOD), or because a direction of negative curvature is found, for
-    /// which some iterations are made if it @p may_cost them (AMG with
-    /// conjugate gradients). UMFPACK tells of the symmetric part, if it @p
-    /// may_cost a factorization of that. MUMPS and GMRES do not know.
-    /// Collective.
+    /// (CHOLMOD), or because a direction of negative curvature is found (AMG);
+    /// of an unsymmetric one its symmetric part (CHOLMOD). Both are looked for
+    /// if that @p may_cost something. MUMPS does not know, nor AMG of an
+    /// unsymmetric one. Collective.
     virtual bool is_indefinite(const bool may_cost)
     {
       (void)may_cost;

@@ -330,12 +330,10 @@ namespace Contact
                         discretization.communicator,
                         entries);
     if (new_pattern)
-      coarse_solver = DefiniteSolver::create(Parameters::SolverKind::cholmod,
-                                             /*symmetric=*/true,
-                                             /*may_be_indefinite=*/true,
-                                             {},
-                                             discretization.counters);
-    coarse_solver->set_matrix(coarse_matrix, true, new_pattern, {});
+      coarse_solver =
+        std::make_unique<Factorization>(/*may_be_indefinite=*/true,
+                                        discretization.counters);
+    coarse_solver->make(coarse_matrix, new_pattern);
   }
 
 
@@ -398,7 +396,7 @@ namespace Contact
     DefiniteSolver::Vector b(complete_index_set(level.m()), MPI_COMM_SELF);
     DefiniteSolver::Vector x(b);
     std::copy(rhs.begin(), rhs.end(), b.begin());
-    coarse_solver->solve(b, 0, x);
+    coarse_solver->vmult(x, b);
     own = level.solution.begin();
     for (const auto i : owned)
       *own++ = x[i];

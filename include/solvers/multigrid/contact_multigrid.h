@@ -7,7 +7,7 @@
 #define contact_contact_multigrid_h
 
 #include "contact/interface/contact_interface.h"
-#include "solvers/direct/definite_solver.h"
+#include "solvers/direct/factorizations.h"
 #include "solvers/multigrid/level_transfer.h"
 
 namespace Contact
@@ -98,7 +98,7 @@ namespace Contact
     SurfaceRows                     coarse_lines;     // in the matrix
     std::set<Dofs>                  coarse_couplings; // of springs, in it
     TrilinosWrappers::SparseMatrix  coarse_matrix;
-    std::unique_ptr<DefiniteSolver> coarse_solver;
+    std::unique_ptr<Factorization>  coarse_solver;
     Fine                            coarse_displacement; // if large
   };
 } // namespace Contact

@@ -168,11 +168,8 @@ namespace Contact
                               rows.others.begin() + rows.begin(i),
                               rows.others.begin() + rows.end(i),
                               /*indices_are_sorted=*/true);
-        solver = DefiniteSolver::create(Parameters::SolverKind::cholmod,
-                                        /*symmetric=*/true,
-                                        /*may_be_indefinite=*/false,
-                                        {},
-                                        counters);
+        solver = std::make_unique<Factorization>(/*may_be_indefinite=*/false,
+                                                 counters);
         matrix.reinit(all, all, pattern, MPI_COMM_SELF);
         gaps.reinit(all, MPI_COMM_SELF);
         pressures.reinit(all, MPI_COMM_SELF);
@@ -183,7 +180,7 @@ namespace Contact
                  rows.others.data() + rows.begin(i),
                  rows.factors.data() + rows.begin(i));
     matrix.compress(VectorOperation::insert);
-    solver->set_matrix(matrix, true, new_pattern, {});
+    solver->make(matrix, new_pattern);
   }
 
 
@@ -197,7 +194,7 @@ namespace Contact
       for (gap[i] = 0; k < ends[i]; ++k)
         gap[i] += factors[k] * at_surfaces[columns[k]];
 
-    solver->solve(gaps, /*tolerance=*/0, pressures);
+    solver->vmult(pressures, gaps);
 
     std::fill(at_surfaces.begin(), at_surfaces.end(), 0.);
     const double *const pressure = pressures.begin();

@@ -6,7 +6,7 @@
 #ifndef contact_surface_projection_h
 #define contact_surface_projection_h
 
-#include "solvers/direct/definite_solver.h"
+#include "solvers/direct/factorizations.h"
 #include "solvers/multigrid/surface_rows.h"
 #include "solvers/multigrid/surface_values.h"
 
@@ -75,11 +75,11 @@ namespace Contact
     std::vector<unsigned int> columns;
     std::vector<double>       factors;
 
-    Counters                        counters; // of surfaces, no one asks
-    TrilinosWrappers::SparseMatrix  matrix;
-    std::unique_ptr<DefiniteSolver> solver;
-    mutable DefiniteSolver::Vector  gaps, pressures;
-    mutable std::vector<double>     at_surfaces;
+    Counters                       counters; // of surfaces, no one asks
+    TrilinosWrappers::SparseMatrix matrix;
+    std::unique_ptr<Factorization> solver;
+    mutable DefiniteSolver::Vector gaps, pressures;
+    mutable std::vector<double>    at_surfaces;
   };
 } // namespace Contact
 
