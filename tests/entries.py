@@ -7,8 +7,8 @@ Proves that
 - displacements may be formulas of the place and of the load factor: two ends of
   a block that are turned by any angle turn it as a rigid body, in 2-D, in
   3-D and on two processes; a linear field gives the uniform stress of Hooke's
-  law; nodes that hang follow others; two boundaries with the same formula may
-  share nodes;
+  law; nodes that hang follow others; two boundaries may share nodes where they
+  move alike, by numbers or by formulas; groups may be made of others;
 - points may be named by their place: supports, forces and probes there are those
   of the points of the mesh file; a place without a node is refused, and the
   closest node named, and so is the name of a boundary;
@@ -39,6 +39,39 @@ SOLID = {"Solids/Young's modulus": f"A: {E}",
 
 def values(summary):
     return {p["name"]: p["value"] for p in summary["probes"]}
+
+
+def alike():
+    mesh = Mesh()
+    mesh.block("A", 4, 3, box(0, 0, 4, 2),
+               {"left": "L", "right": "R", "bottom": "B", "top": "T"})
+    mesh.add(0, "P", (12,))
+    mesh.write("alike")
+    entries = {**SOLID, "Mesh/File": "alike.msh", "Mesh/Groups": "Rims: B, T",
+               "Solids/Kinematics": "small strain",
+               "Boundary conditions/Displacement x": "L: 0, R: 0.04",
+               "Boundary conditions/Displacement y": "Rims: 0",
+               "Boundary conditions/Displacement formula x": "Rims: 0.01*x*t",
+               "Solution/Increments": 2,
+               "Probes/Probes": "xx: stress xx, P"}
+    status, said, summary = run("alike", entries)
+    check("supports that move alike where they meet, and a union of groups",
+          status == 0, said[:300])
+    if status == 0:
+        check("  Hooke's stress", abs(values(summary)["xx"] / (
+            0.01 * E * (1 - NU) / ((1 + NU) * (1 - 2 * NU))) - 1) < 1e-9)
+    for what, change, expected in (
+            ("one that moves away", {
+                "Boundary conditions/Displacement formula x":
+                "Rims: 0.01*x*t + 0.001*sin(6.283185307*t)"},
+             "moved differently"),
+            ("a union with the name of a group", {"Mesh/Groups": "L: B, T"},
+             "of its own"),
+            ("a union of what is not there", {"Mesh/Groups": "Rims: B, Top"},
+             "no boundary 'Top'")):
+        status, said, _ = run("refused", {**entries, **change})
+        check(f"  {what} is refused", status == 2 and expected in said,
+              said[:300])
 
 
 def turned():
@@ -131,18 +164,19 @@ def shared_corner():
                                             "corner": "C"})
     mesh.write("shared")
     for formulas, taken in (("L: 0.01*t; B: 0.01*t", True),
-                            ("L: 0.01*t; B: 0.01*t + 0.001*x", False)):
+                            ("L: 0.01*t; B: 0.01*t + 0.001*x", True),
+                            ("L: 0.01*t; B: 0.011*t + 0.001*x", False)):
         status, said, summary = run("shared", {
             **SOLID, "Mesh/File": "shared.msh",
             "Boundary conditions/Displacement formula x": formulas,
             "Boundary conditions/Displacement y": "B: 0",
             "Probes/Probes": "C: displacement x, C"})
         if taken:
-            check("the same formula on both", status == 0 and
+            check("formulas that agree at a node", status == 0 and
                   abs(values(summary)["C"] - 0.01) < 1e-14, said[:300])
         else:
             check("other formulas are refused", status == 2 and
-                  "the same text" in said, said[:300])
+                  "moved differently" in said, said[:300])
 
 
 def named_points():
@@ -427,6 +461,7 @@ def left_out():
 
 
 turned()
+alike()
 stretched()
 left_out()
 hanging()

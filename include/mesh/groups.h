@@ -6,8 +6,12 @@
 #ifndef contact_groups_h
 #define contact_groups_h
 
+#include <deal.II/base/types.h>
+
 #include <map>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "base/errors.h"
 
@@ -32,6 +36,15 @@ namespace Contact
                      "of this kind it has: " +
                        (names.empty() ? "none" : names));
   }
+
+
+
+  /// Add the boundary groups that the user makes of others, by name. @p
+  /// with_inner_faces are those that bound bodies in part only.
+  void unite_groups(
+    const std::map<std::string, std::vector<std::string>>       &made_of,
+    std::map<std::string, std::set<dealii::types::boundary_id>> &boundaries,
+    std::set<std::string> &with_inner_faces);
 } // namespace Contact
 
 #endif

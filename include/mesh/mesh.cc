@@ -274,6 +274,7 @@ namespace Contact
     with_inner_faces       = coarse.with_inner_faces;
     inner_curves           = coarse.inner_curves;
     n_split                = msh.n_split;
+    unite_groups(parameters.groups, boundaries, with_inner_faces);
     name_points(parameters, placement, coarse, *this);
     place_vertices(placement, msh, coarse);
     order_cells(coarse.cells);

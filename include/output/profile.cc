@@ -147,6 +147,7 @@ namespace Contact
     {
       const auto of_corners =
         corner_tractions(interface, contact_pair, solution);
+      const auto stretches = contact_pair.slave.stretches(solution);
       std::map<unsigned int, unsigned int> node_of; // by multiplier
       for (unsigned int n = 0; n < rows.size(); ++n)
         {
@@ -166,6 +167,7 @@ namespace Contact
               rows[n].pressure += of_corners[n][0];
               rows[n].shear += of_corners[n][1];
             }
+          rows[n].true_pressure = rows[n].pressure / stretches[n];
         }
 
       const auto points = contact_pair.points_of_slave(interface.points());
@@ -221,6 +223,7 @@ namespace Contact
         {
           const auto &from = slave_rows[facet.nodes[a]];
           row.pressure += values[a] * from.pressure;
+          row.true_pressure += values[a] * from.true_pressure;
           row.shear += values[a] * from.shear;
           row.gap += values[a] * from.gap;
           row.slip += values[a] * from.slip;

@@ -45,6 +45,9 @@ namespace Contact
     /// -n.sigma.n from the recovered stress of the surface's own body and its
     /// deformed outward normal n [MPa].
     double extrapolated_pressure = 0;
+
+    /// The pressure by deformed area [MPa].
+    double true_pressure = 0;
   };
 
 

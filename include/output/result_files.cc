@@ -110,7 +110,8 @@ namespace Contact
           out << surface;
           for (const double value : profile_values(row))
             out << ',' << value + 0.; // no "-0"
-          out << ',' << row.status << ',' << row.extrapolated_pressure << '\n';
+          out << ',' << row.status << ',' << row.extrapolated_pressure << ','
+              << row.true_pressure << '\n';
         }
     }
   } // namespace
@@ -311,7 +312,8 @@ namespace Contact
     write_first("profile.csv", [&](std::ostream &out) {
       out.precision(12);
       out << "surface," << profile_columns(discretization)
-          << ",status_0_open_1_slip_2_stick,extrapolated_pressure_MPa\n";
+          << ",status_0_open_1_slip_2_stick,extrapolated_pressure_MPa,"
+             "true_pressure_MPa\n";
       for (const PairProfile<dim> &contact_pair : pairs)
         {
           const std::string name =

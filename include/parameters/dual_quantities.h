@@ -37,7 +37,9 @@ namespace Contact
     {
       return (quantity < Quantity::support_x ||
               quantity > Quantity::rotation_z) &&
-             !is_of_obstacle(quantity) && quantity != Quantity::plastic_strain;
+             !is_of_obstacle(quantity) &&
+             quantity != Quantity::plastic_strain &&
+             quantity != Quantity::true_pressure;
     }
   } // namespace Parameters
 } // namespace Contact

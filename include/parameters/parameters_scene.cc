@@ -58,6 +58,10 @@ namespace Contact
                         "The same of tori: 'group: x, y, z of the centre, x, "
                         "y, z of the axis, radius of the ring, radius of the "
                         "tube' [mm].");
+      prm.add_parameter("Groups",
+                        groups,
+                        "Boundary groups made of others: 'name: group, group', "
+                        "separated by ';'.");
       prm.add_parameter("Points",
                         points,
                         "Names for places: 'name: x, y', of volumes 'x, y, z' "

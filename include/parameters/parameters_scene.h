@@ -87,6 +87,9 @@ namespace Contact
                0;
       }
 
+      /// Boundary group -> those that it is made of.
+      std::map<std::string, std::vector<std::string>> groups;
+
       /// A name for the node at {x, y} or {x, y, z} [mm], in the coordinates
       /// of the file.
       std::map<std::string, std::vector<double>> points;

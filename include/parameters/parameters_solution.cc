@@ -180,7 +180,8 @@ namespace Contact
           Choice<Quantity>::names(", ") +
           " [displacements: mm, stresses: MPa, forces: N per "
           "mm of thickness, in rings N]; pressure and shear "
-          "are those of contact, at points of a slave; reactions "
+          "are those of contact, at points of a slave, by undeformed area, the true "
+          "pressure by deformed area; reactions "
           "and contact forces are all forces on the body at a boundary "
           "group, reactions also at a point group, named as the point: on the "
           "nodes that supports hold in that direction, and on the "

@@ -28,6 +28,7 @@ namespace Contact
       stress_yz,
       von_mises,
       pressure,
+      true_pressure,
       shear,
       reaction_x,
       reaction_y,
@@ -73,6 +74,7 @@ namespace Contact
               {"stress yz", Quantity::stress_yz},
               {"von Mises", Quantity::von_mises},
               {"pressure", Quantity::pressure},
+              {"true pressure", Quantity::true_pressure},
               {"shear", Quantity::shear},
               {"reaction x", Quantity::reaction_x},
               {"reaction y", Quantity::reaction_y},
@@ -168,6 +170,7 @@ namespace Contact
           case Quantity::stress_yz:
           case Quantity::von_mises:
           case Quantity::pressure:
+          case Quantity::true_pressure:
           case Quantity::shear:
             return "MPa";
           case Quantity::reaction_x:

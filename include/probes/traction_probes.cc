@@ -19,7 +19,8 @@ namespace Contact
 
   bool is_contact_traction(const Quantity quantity)
   {
-    return quantity == Quantity::pressure || quantity == Quantity::shear;
+    return quantity == Quantity::pressure ||
+           quantity == Quantity::true_pressure || quantity == Quantity::shear;
   }
 
 
@@ -254,10 +255,13 @@ namespace Contact
       return 0;
     const auto              found        = on_slave(place, interface, solution);
     const ContactPair<dim> &contact_pair = *found.contact_pair;
-    const bool              is_normal    = quantity == Quantity::pressure;
+    const bool              is_normal    = quantity != Quantity::shear;
     const auto              of_corners =
       corner_tractions(*interface, contact_pair, solution);
-    double sum = 0;
+    const auto stretches = quantity == Quantity::true_pressure
+                             ? contact_pair.slave.stretches(solution)
+                             : std::vector<double>();
+    double     sum       = 0;
     for (const auto &[n, weight] : found.nodes)
       {
         const double of_multiplier =
@@ -265,7 +269,8 @@ namespace Contact
                     : shear_of_node(*interface, contact_pair, n, solution);
         const double of_corner =
           of_corners.empty() ? 0. : of_corners[n][is_normal ? 0 : 1];
-        sum += weight * (of_multiplier + of_corner);
+        sum += weight * (of_multiplier + of_corner) /
+               (stretches.empty() ? 1. : stretches[n]);
       }
     return sum;
   }

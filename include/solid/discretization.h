@@ -256,6 +256,10 @@ namespace Contact
   private:
     SupportMotion<dim> motion_of_supports(const double load_factor) const;
 
+    /// Whether both have the same values at all times.
+    bool move_alike(const Prescribed<dim> &first,
+                    const Prescribed<dim> &second) const;
+
     /// Visit the unknowns of this rank that supports hold, with their ways from
     /// @p u to where these want them, exactly zero within round-off [mm].
     void

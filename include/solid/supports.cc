@@ -7,7 +7,9 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <boost/serialization/map.hpp>
+#include <cmath>
 
 #include "base/all_ranks.h"
 #include "base/dimension.h"
@@ -108,16 +110,36 @@ namespace Contact
                   const Prescribed<dim> here = at(place);
                   const Prescribed<dim> first =
                     prescribed.emplace(dof, here).first->second;
-                  if (first != here &&
-                      !(here.has_formula() && here.formula == first.formula))
+                  if (first != here && !move_alike(first, here))
                     throw InputError(
                       "'" + name +
                         "' shares a node with another group that is moved "
                         "differently",
                       entry,
-                      "give both the same displacement, of formulas the same "
-                      "text, or let the groups end before they meet");
+                      "give both the same displacement there, or let the "
+                      "groups end before they meet");
                 });
+  }
+
+
+
+  // At times that no formula is made for. The coordinates of a place have the
+  // digits of the file.
+  template<int dim>
+  bool Discretization<dim>::move_alike(const Prescribed<dim> &first,
+                                       const Prescribed<dim> &second) const
+  {
+    const unsigned int n_times   = 20;
+    const double       round_off = 1e-9;
+    double             largest = 0, difference = 0;
+    for (unsigned int k = 1; k <= n_times; ++k)
+      {
+        const auto   motion = motion_of_supports(std::fmod(k / numbers::PI, 1));
+        const double a = first.at(motion), b = second.at(motion);
+        largest    = std::max({largest, std::abs(a), std::abs(b)});
+        difference = std::max(difference, std::abs(a - b));
+      }
+    return difference <= round_off * (largest + 1e-4 * mesh.typed_digits);
   }
 
 

@@ -66,10 +66,11 @@ namespace Contact
 
 
 
-  ContactPatches::ContactPatches(const Surface<2> &slave)
+  ContactPatches::ContactPatches(const Surface<2>            &slave,
+                                 const std::vector<Point<2>> &positions)
     : slave(slave)
   {
-    s_of_node = slave.arc_length(slave.positions({}));
+    s_of_node = slave.arc_length(positions);
 
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
       {
@@ -88,13 +89,6 @@ namespace Contact
 
 
 
-  double ContactPatches::arc_length(const ContactPoint<2> &point) const
-  {
-    return arc_length(point.slave_facet, point.slave_xi);
-  }
-
-
-
   double ContactPatches::arc_length(const unsigned int edge,
                                     const double       xi) const
   {
@@ -108,9 +102,9 @@ namespace Contact
 
 
 
-  void ContactPatches::add(const ContactPoint<2> &point,
-                           const PatchSample     &sample)
+  void ContactPatches::add(const ContactPoint<2> &point, PatchSample sample)
   {
+    sample.s = arc_length(point.slave_facet, point.slave_xi);
     chains[chain_of_edge[point.slave_facet]].samples.push_back(sample);
   }
 

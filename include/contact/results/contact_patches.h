@@ -18,11 +18,11 @@ namespace Contact
   /// A contact point of a surface in 2-D, as seen along its arc length.
   struct PatchSample
   {
-    double s; // arc length [mm]
     bool   touches, sticks;
     bool   is_held; // by a support: it cannot slip
     double p;       // [MPa]
     double slip;    // magnitude [mm]
+    double s = 0;   // arc length [mm]
   };
 
 
@@ -42,13 +42,12 @@ namespace Contact
   class ContactPatches
   {
   public:
-    explicit ContactPatches(const Surface<2> &slave);
+    /// By the arc length at these positions of its nodes.
+    ContactPatches(const Surface<2>            &slave,
+                   const std::vector<Point<2>> &positions);
 
-    /// The arc length of a point of the slave [mm].
-    double arc_length(const ContactPoint<2> &point) const;
-
-    /// Take in @p sample, which is that of @p point.
-    void add(const ContactPoint<2> &point, const PatchSample &sample);
+    /// Take in what is sampled at a point of the slave.
+    void add(const ContactPoint<2> &point, PatchSample sample);
 
     /// A place of the slave that a corner of the master is opposite to: a patch
     /// that ends in the row of points around it ends there. A point beyond the

@@ -6,6 +6,7 @@
 #include "contact/results/contact_results.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -35,9 +36,9 @@ namespace Contact
 
     /// Corners and ends of the master that are opposite to the slave, and no
     /// further from it than an edge is long.
-    void add_corners_of_master(const ContactPair<2> &contact_pair,
-                               const GhostedVector  &u,
-                               ContactPatches       &patches)
+    void add_corners_of_master(const ContactPair<2>          &contact_pair,
+                               const GhostedVector           &u,
+                               std::array<ContactPatches, 2> &of_lengths)
     {
       const DeformedSurface<2> slave(contact_pair.slave, u),
         master(*contact_pair.master, u);
@@ -55,8 +56,10 @@ namespace Contact
           if (corner.facing &&
               distance(corner, u) <
                 contact_pair.slave.reference_length(corner.master_facet))
-            patches.add_corner(corner,
-                               edge.ends_surface(corner.slave_xi < 0 ? 0 : 1));
+            for (ContactPatches &patches : of_lengths)
+              patches.add_corner(corner,
+                                 edge.ends_surface(corner.slave_xi < 0 ? 0
+                                                                       : 1));
         }
     }
 
@@ -94,9 +97,16 @@ namespace Contact
                                  const GhostedVector       &solution,
                                  const GhostedVector       &u_start)
   {
-    ContactPatches patches(contact_pair.slave);
+    const Surface<2>             &slave = contact_pair.slave;
+    std::array<ContactPatches, 2> undeformed_and_deformed{
+      {{slave, slave.positions({})}, {slave, slave.positions(solution)}}};
     ContactResults results;
-    const auto     add_point = [&](const ContactPoint<2> &point) {
+    const auto     add_sample = [&](const ContactPoint<2> &point,
+                                const PatchSample     &sample) {
+      for (ContactPatches &patches : undeformed_and_deformed)
+        patches.add(point, sample);
+    };
+    const auto add_point = [&](const ContactPoint<2> &point) {
       return add_force(interface,
                        point,
                        interface.state(point, solution, u_start),
@@ -111,7 +121,6 @@ namespace Contact
       results.max_shear =
         std::max(results.max_shear, part * std::abs(traction.q[0]));
       return PatchSample{
-        patches.arc_length(at),
         true,
         point.status.kind == Status::stick,
         point.has_no_free_tangent && !point.status.has_direction(),
@@ -133,23 +142,23 @@ namespace Contact
     for (const ContactPoint<2> &point : interface.acting_points(contact_pair))
       if (const auto corner = at_node.find(point.multipliers[0]);
           !point.facing && corner != at_node.end())
-        patches.add(point,
-                    sample_of(*corner->second.first,
-                              corner->second.second,
-                              point));
+        add_sample(point,
+                   sample_of(*corner->second.first,
+                             corner->second.second,
+                             point));
       else if (point.facing && point.status.kind != Status::open)
-        patches.add(point, sample_of(point, add_point(point), point));
+        add_sample(point, sample_of(point, add_point(point), point));
       // On an axis at degree 2 a force does no work on the rest, and round-off
       // opens a point: contact goes on to it.
       else if (contact_pair.slave.degree == 1 ||
                !contact_pair.discretization.is_on_axis(
                  contact_pair.place(point)))
-        patches.add(point,
-                    {patches.arc_length(point), false, false, false, 0, 0});
+        add_sample(point, {false, false, false, 0, 0});
     if (contact_pair.master)
-      add_corners_of_master(contact_pair, solution, patches);
-    results.extent       = patches.width();
-    results.stick_extent = patches.stick_width();
+      add_corners_of_master(contact_pair, solution, undeformed_and_deformed);
+    results.extent          = undeformed_and_deformed[0].width();
+    results.stick_extent    = undeformed_and_deformed[0].stick_width();
+    results.deformed_extent = undeformed_and_deformed[1].width();
     return results;
   }
 
@@ -182,6 +191,10 @@ namespace Contact
         results.max_pressure = std::max(results.max_pressure, t.p);
         results.max_shear    = std::max(results.max_shear, t.q.norm());
         results.extent += point.weight;
+        results.deformed_extent +=
+          point.weight * contact_pair.slave.stretch_at(point.slave_facet,
+                                                       point.slave_xi,
+                                                       solution);
         if (point.status.kind == Status::stick)
           results.stick_extent += point.weight;
       }

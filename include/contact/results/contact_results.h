@@ -37,6 +37,9 @@ namespace Contact
     double extent       = 0;
     double stick_extent = 0;
 
+    /// That of contact on the deformed slave.
+    double deformed_extent = 0;
+
     /// With widths in 2-D, with areas in 3-D.
     template<int dim>
     std::map<std::string, double> by_name() const
@@ -47,6 +50,7 @@ namespace Contact
               {"max_pressure", max_pressure},
               {"max_shear", max_shear},
               {name, extent},
+              {"deformed_" + name, deformed_extent},
               {"stick_" + name, stick_extent}};
     }
   };

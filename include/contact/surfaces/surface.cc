@@ -172,6 +172,39 @@ namespace Contact
 
 
   template<int dim>
+  double Surface<dim>::stretch_at(const unsigned int     facet,
+                                  const FacetPoint<dim> &xi,
+                                  const GhostedVector   &u) const
+  {
+    const FacetShape<dim> shape(*facets[facet].kind, xi);
+    return jacobian(facets[facet],
+                    shape,
+                    [&](const unsigned int n) { return position(n, u); }) /
+           reference_jacobian(facets[facet], shape);
+  }
+
+
+
+  // At a place as far from the node as round-off leaves it: on the axis a ring
+  // has no circumference.
+  template<int dim>
+  std::vector<double> Surface<dim>::stretches(const GhostedVector &u) const
+  {
+    const double        inside = 1 - 1e-6;
+    std::vector<double> mean(nodes.size());
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      for (const unsigned int e : facets_of_node[n])
+        {
+          FacetPoint<dim> xi = facets[e].kind->places[number_in(e, n)];
+          xi *= inside;
+          mean[n] += stretch_at(e, xi, u) / facets_of_node[n].size();
+        }
+    return mean;
+  }
+
+
+
+  template<int dim>
   void Surface<dim>::collect_facets_of_nodes()
   {
     facets_of_node.assign(nodes.size(), {});

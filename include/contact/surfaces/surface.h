@@ -272,6 +272,14 @@ namespace Contact
     Number reference_jacobian(const SurfaceFacet<dim>        &facet,
                               const FacetShapes<dim, Number> &shape) const;
 
+    /// The deformed by the undeformed area, in 2-D length, of rings both with
+    /// their circumferences: at a place of a facet, and at all nodes as the
+    /// mean over their facets [-].
+    double              stretch_at(const unsigned int     facet,
+                                   const FacetPoint<dim> &xi,
+                                   const GhostedVector   &u) const;
+    std::vector<double> stretches(const GhostedVector &u) const;
+
     /// The integrals of the test functions of a facet, see FacetKind::tests(),
     /// undeformed [mm^2]. In 3-D.
     std::vector<double> shares_of_nodes(const unsigned int facet) const;
@@ -288,6 +296,12 @@ namespace Contact
     /// differs between the plane (surface_chain.cc) and space
     /// (surface_sides.cc).
     void arrange();
+
+    /// The measure with other positions of the nodes, by their numbers.
+    template<typename Number, typename Positions>
+    Number jacobian(const SurfaceFacet<dim>        &facet,
+                    const FacetShapes<dim, Number> &shape,
+                    const Positions                &position) const;
 
     void collect_facets_of_nodes();
     void find_parted();
@@ -330,18 +344,31 @@ namespace Contact
   Surface<dim>::reference_jacobian(const SurfaceFacet<dim>        &facet,
                                    const FacetShapes<dim, Number> &shape) const
   {
-    Tensor<1, dim, Number>                      X;
+    return jacobian(facet, shape, [this](const unsigned int n) {
+      return nodes[n].X;
+    });
+  }
+
+
+
+  template<int dim>
+  template<typename Number, typename Positions>
+  Number Surface<dim>::jacobian(const SurfaceFacet<dim>        &facet,
+                                const FacetShapes<dim, Number> &shape,
+                                const Positions                &position) const
+  {
+    Tensor<1, dim, Number>                      x;
     std::array<Tensor<1, dim, Number>, dim - 1> tangents;
     for (unsigned int a = 0; a < facet.n_nodes(); ++a)
       {
-        const Tensor<1, dim> X_a(nodes[facet.nodes[a]].X);
-        X += shape.value[a] * X_a;
+        const Tensor<1, dim> x_a(position(facet.nodes[a]));
+        x += shape.value[a] * x_a;
         for (unsigned int k = 0; k < dim - 1; ++k)
-          tangents[k] += shape.derivative(a, k) * X_a;
+          tangents[k] += shape.derivative(a, k) * x_a;
       }
     const Tensor<1, dim, Number> normal = outward_normal(tangents);
     using std::sqrt;
-    return sqrt(normal * normal) * discretization.circumference_at(X[0]);
+    return sqrt(normal * normal) * discretization.circumference_at(x[0]);
   }
 } // namespace Contact
 
