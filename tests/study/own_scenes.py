@@ -275,8 +275,8 @@ def dovetail(s):
         Contact__Friction_coefficient=0.2)
 
 
-PLANE = (notch, keyway, wheel, clip, o_ring, fit, stack, wedge, strip, bolt,
-         cylinders, dovetail)
+PLANE = notch, keyway, wheel, clip, o_ring, fit, stack, wedge, strip, bolt, \
+    cylinders, dovetail
 
 
 def parameter_file(values):
