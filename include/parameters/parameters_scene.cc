@@ -61,7 +61,7 @@ namespace Contact
       prm.add_parameter("Groups",
                         groups,
                         "Boundary groups made of others: 'name: group, group', "
-                        "separated by ';'.");
+                        "separated by ';' [-].");
       prm.add_parameter("Points",
                         points,
                         "Names for places: 'name: x, y', of volumes 'x, y, z' "

@@ -91,7 +91,12 @@ namespace Contact
         preconditioner->vmult(x, b);
         return 1;
       }
-    SolverControl control(max_iterations(), tolerance);
+    // Digits cost an inverse little, and the active set of an inexact step may
+    // be another one.
+    const double  digits_more = preconditioner->is_inverse() ? 1e-4 : 1.;
+    SolverControl control(max_iterations(),
+                          std::max(digits_more * tolerance,
+                                   1e-12 * b.l2_norm()));
     try
       {
         iterate(control, b, x);
