@@ -12,6 +12,22 @@
 
 namespace Contact
 {
+  Parameters::Probes without_tractions(const Parameters::Probes &probes)
+  {
+    Parameters::Probes left = probes;
+    for (const auto &[name, probe] : probes.definitions())
+      if (is_contact_traction(probe.quantity))
+        {
+          left.probes.erase(name);
+          left.references.erase(name);
+          left.tolerances.erase(name);
+          left.accuracy.erase(name);
+        }
+    return left;
+  }
+
+
+
   namespace
   {
     using Parameters::All;
@@ -51,22 +67,14 @@ namespace Contact
       if (variants.all.empty() ||
           variants.all.back().entries.front() != section + "Slave=")
         return;
-      Parameters::Probes left = variants.scene.probes;
-      std::string        probes;
-      for (const auto &[name, probe] : variants.scene.probes.definitions())
+      const Parameters::Probes left = without_tractions(variants.scene.probes);
+      std::string              probes;
+      for (const auto &[name, probe] : left.definitions())
         {
-          std::string text = name + ": " + probe.quantity.name();
+          probes +=
+            (probes.empty() ? "" : "; ") + name + ": " + probe.quantity.name();
           for (const std::string &place : probe.places)
-            text += ", " + place;
-          if (!is_contact_traction(probe.quantity))
-            probes += (probes.empty() ? "" : "; ") + text;
-          else
-            {
-              left.probes.erase(name);
-              left.references.erase(name);
-              left.tolerances.erase(name);
-              left.accuracy.erase(name);
-            }
+            probes += ", " + place;
         }
       if (left.probes.size() < variants.scene.probes.probes.size())
         for (const std::string &entry :

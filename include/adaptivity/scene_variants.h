@@ -43,6 +43,9 @@ namespace Contact
    */
   std::vector<SceneVariant> scene_variants(const Parameters::All &scene);
 
+  /// The probes that a scene without contact has.
+  Parameters::Probes without_tractions(const Parameters::Probes &probes);
+
   /// The scene with other cells and steps: quadratic elements instead of linear
   /// ones, and twice the increments.
   SceneVariant quadratic_elements(const Parameters::All &scene);

@@ -31,6 +31,8 @@ namespace Contact
       variant.probes.errors             = Parameters::Errors::none;
       variant.solution.estimate_effects = false;
       variant.probes.accuracy.clear();
+      if (variant.pairs().empty())
+        variant.probes = without_tractions(variant.probes);
       variant.refinement.n_levels  = n_meshes - 1;
       variant.refinement.tolerance = scene.solution.newton_tolerance;
       variant.findings             = summary.findings; // told already
@@ -81,15 +83,20 @@ namespace Contact
                  const Parameters::Solution &solution,
                  EffectEstimate             &estimate)
     {
-      const std::size_t last   = variant.levels.size() - 1;
-      const auto        change = [&](const std::size_t  level,
-                              const std::string &probe) {
-        return variant.levels[level].probes.at(probe) -
-               scene.levels[level].probes.at(probe);
+      const std::size_t last = variant.levels.size() - 1;
+      // Without contact there is no traction.
+      const auto value_on = [&](const std::size_t  level,
+                                const std::string &probe) {
+        const auto &probes = variant.levels[level].probes;
+        const auto  found  = probes.find(probe);
+        return found == probes.end() ? 0. : found->second;
       };
-      for (const auto &[name, value] : variant.levels[last].probes)
+      const auto change = [&](const std::size_t  level,
+                              const std::string &probe) {
+        return value_on(level, probe) - scene.levels[level].probes.at(probe);
+      };
+      for (const auto &[name, here] : scene.levels[last].probes)
         {
-          const double here      = scene.levels[last].probes.at(name);
           const double to_last   = scene.levels.back().probes.at(name) - here;
           const double all       = change(last, name);
           estimate.changes[name] = all;
@@ -97,7 +104,8 @@ namespace Contact
           // Twice, as of estimated errors. What the effect makes of the probe
           // changes with it up to the last mesh.
           estimate.uncertainties[name] =
-            share_of_loops(solution) * (std::abs(value) + std::abs(here)) +
+            share_of_loops(solution) *
+              (std::abs(value_on(last, name)) + std::abs(here)) +
             (last > 0 ? 2 * std::abs(all - change(last - 1, name)) : 0.) +
             (to_last == 0
                ? 0.
