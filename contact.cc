@@ -250,6 +250,11 @@ namespace Contact
       }
     check_supports(*model.discretization, model.interface.get());
     postprocessor.check_probes();
+    if (const std::string locking = model.elasticity->locking();
+        parameters.asks_for_accuracy() && !locking.empty())
+      throw InputError("no accuracy is reached: " + locking,
+                       "Probes/Accuracy",
+                       "set 'Element/Degree = 2', or mesh with quadrangles");
     report.open_files(*model.discretization);
   }
 
@@ -384,7 +389,8 @@ namespace Contact
   ProbeErrors ContactProblem<dim>::estimate_errors()
   {
     ProbeErrors errors;
-    errors.not_estimated = parameters.missing_errors();
+    errors.not_estimated      = parameters.missing_errors();
+    const std::string locking = model.elasticity->locking();
 
     // So large a system has no factorization that serves, and one more would
     // take longer than the run.
@@ -393,7 +399,9 @@ namespace Contact
       !parameters.is_condensed() &&
       parameters.probes.errors == Parameters::Errors::automatic &&
       !parameters.follows_goals();
-    if (is_too_large && parameters.solves_dual_problems())
+    if (!locking.empty())
+      errors.not_estimated = "No mesh tells: " + locking + '.';
+    else if (is_too_large && parameters.solves_dual_problems())
       errors.not_estimated = "The mesh is too large for that to cost little: "
                              "take 'Levels', or 'Errors = dual weighted "
                              "residuals'.";

@@ -136,6 +136,35 @@ check("zero by symmetry: status 1 soon, with the remedy", status == 1 and
       "u is zero within its error: ask for it in its unit" in said and
       len(summary["levels"]) <= 6, said)
 
+# Triangles that lock: meshes agree on values that are far off.
+soft = Mesh()
+soft.nodes = [(0., 0.), (1., 0.), (1., 1.), (0., 1.)]
+for corners in ((1, 2, 3), (1, 3, 4)):
+    soft.elements.append((2, soft.groups.setdefault((2, "A"), 1), corners))
+soft.add(1, "Left", (4, 1))
+soft.add(1, "Right", (2, 3))
+soft.add(0, "P", (3,))
+soft.write("soft")
+locks = {"Mesh/File": "soft.msh", "Element/Degree": 1,
+         "Solids/Young's modulus": "A: 1000",
+         "Solids/Poisson's ratio": "A: 0.4999", "Solids/Kinematics": "small strain",
+         "Boundary conditions/Displacement x": "Left: 0",
+         "Boundary conditions/Displacement y": "Left: 0",
+         "Boundary conditions/Traction y": "Right: -0.5",
+         "Probes/Probes": "u: displacement y, P"}
+status, said, summary = run_scene("locks", locks)
+check("triangles that lock: a note, and no estimated error", status == 0 and
+      summary["probes"][0]["estimated_error"] is None and any(
+          "lock: results are too stiff" in f["text"] for f in summary["findings"]),
+      said)
+status, said, _ = run_scene("locks", {**locks, "Probes/Accuracy": "u: 5 %"})
+check("  an accuracy of theirs is refused", status == 2 and
+      "hardly changes its volume, lock" in said, said)
+status, said, summary = run_scene("locks", {
+    **locks, "Solids/Poisson's ratio": "A: 0.45"})
+check("  not of a softer one", status == 0 and
+      summary["probes"][0]["estimated_error"] is not None, said)
+
 # The pole of a roller on its line of symmetry is no corner, though the chords of its
 # arc are not perpendicular to that.
 def ask_shared(scene, request, *settings):

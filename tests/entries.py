@@ -43,7 +43,8 @@ def values(summary):
 
 def alike():
     mesh = Mesh()
-    mesh.block("A", 4, 3, box(0, 0, 4, 2),
+    # A left side that is on the axis but for round-off.
+    mesh.block("A", 4, 3, box(1e-14, 0, 4, 2),
                {"left": "L", "right": "R", "bottom": "B", "top": "T"})
     mesh.add(0, "P", (12,))
     mesh.write("alike")

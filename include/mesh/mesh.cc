@@ -230,8 +230,7 @@ namespace Contact
                                "'",
                              points_entry,
                              "name the body, '" + name +
-                               " in BODY: x, y', or the point in the mesh "
-                               "file");
+                               " in BODY: x, y', or the point in the file");
           mesh.points[name] = *closest;
         }
     }

@@ -364,6 +364,10 @@ namespace Contact
       findings.push_back({"the curve '" + group +
                           "' has lines that are no edges of cells on the "
                           "boundary: it is left out"});
+    if (const std::string locking = model.elasticity->locking();
+        !locking.empty())
+      findings.push_back({locking + ": results are too stiff, and meshes agree "
+                                    "on that. Set 'Element/Degree = 2'"});
     add_note_on_tetrahedra(*model.discretization, findings);
     if (!model.interface)
       return findings;

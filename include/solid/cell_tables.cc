@@ -203,8 +203,8 @@ namespace Contact
 
   namespace
   {
-    /// Of triangles of degree 1, which lock as well, quadrangles are an easy
-    /// way out, and a body may have few of them.
+    /// Triangles of degree 1, which lock as well, are a note, see
+    /// Elasticity::locking(): a body may have few of them.
     void refuse_locking(const Discretization<2> &, const CellTable<2> &)
     {
     }
@@ -212,8 +212,7 @@ namespace Contact
     void refuse_locking(const Discretization<3> &discretization,
                         const CellTable<3>      &cell)
     {
-      const double nearly_incompressible = 10;
-      if (cell.material->lambda > nearly_incompressible * cell.material->mu)
+      if (cell.material->is_nearly_incompressible())
         throw InputError("the tetrahedra of degree 1 of '" +
                            discretization.mesh.body_name(cell.body) +
                            "', which hardly changes its volume, would lock",

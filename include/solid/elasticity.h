@@ -244,6 +244,11 @@ namespace Contact
     std::vector<unsigned int> yielding(const std::vector<unsigned int> &chosen,
                                        const GhostedVector &u) const;
 
+    /// Why results are much too stiff, and meshes agree on them: triangles of
+    /// degree 1 lock in a body that hardly changes its volume, but in plane
+    /// stress. A sentence, or nothing. Collective.
+    std::string locking() const;
+
     bool is_small_strain(const types::material_id body) const
     {
       return kernels.at(body)->is_small_strain();

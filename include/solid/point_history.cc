@@ -4,7 +4,7 @@
  * --------------------------------------------------------------------- */
 
 // The history of the points of class Elasticity, its energies and the works of
-// an increment.
+// an increment, and bodies that are too stiff.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/dimension.h"
 #include "solid/elasticity.h"
 
 namespace Contact
@@ -145,6 +146,24 @@ namespace Contact
       if (!body || cell.body == *body)
         energy += cell.kernel->energy(cell, u.extract(cell.dofs));
     return Utilities::MPI::sum(energy, discretization.communicator);
+  }
+
+
+
+  template<int dim>
+  std::string Elasticity<dim>::locking() const
+  {
+    unsigned int number = 0; // of the body, from one on
+    for (const CellTable<dim> &cell : tables.own)
+      if (!is_plane_stress && cell.dofs.size() == dim * (dim + 1) &&
+          cell.material->is_nearly_incompressible())
+        number = cell.body + 1;
+    number = Utilities::MPI::max(number, discretization.communicator);
+    return number == 0 ? ""
+                       : std::string("the ") + Dimension<dim>::simplices +
+                           " of degree 1 of '" +
+                           discretization.mesh.body_name(number - 1) +
+                           "', which hardly changes its volume, lock";
   }
 
 

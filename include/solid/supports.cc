@@ -139,7 +139,7 @@ namespace Contact
         largest    = std::max({largest, std::abs(a), std::abs(b)});
         difference = std::max(difference, std::abs(a - b));
       }
-    return difference <= round_off * (largest + 1e-4 * mesh.typed_digits);
+    return difference <= round_off * (largest + mesh.typed_digits);
   }
 
 

@@ -185,8 +185,7 @@ namespace Contact
 
 
 
-  // At a place as far from the node as round-off leaves it: on the axis a ring
-  // has no circumference.
+  // Just inside of the facets: on the axis a ring has no circumference.
   template<int dim>
   std::vector<double> Surface<dim>::stretches(const GhostedVector &u) const
   {

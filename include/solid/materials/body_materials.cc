@@ -143,7 +143,7 @@ namespace Contact
       if (dilatation == Parameters::Dilatation::B_bar ||
           (dilatation == Parameters::Dilatation::automatic &&
            enhanced.count(body) == 0 &&
-           (material.lambda > 10 * material.mu ||
+           (material.is_nearly_incompressible() ||
             laws.at(body)->n_history() > 0)))
         projected.insert(body);
     return projected;

@@ -50,6 +50,12 @@ namespace Contact
     {
     }
 
+    /// Whether it hardly changes its volume: nu > 5/11.
+    bool is_nearly_incompressible() const
+    {
+      return lambda > 10 * mu;
+    }
+
     /// The stress in 2-D, in plane strain; or in 3-D.
     template<int dim>
     SymmetricTensor<2, dim> stress(const SymmetricTensor<2, dim> &strain) const

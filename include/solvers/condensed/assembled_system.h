@@ -110,8 +110,8 @@ namespace Contact
     InterfaceCouplings<dim> couplings; // that the matrix has room for
     DefiniteSolver::Matrix  matrix;
 
-    /// Where that is not symmetric, that of Tresca's problem: the bounds of
-    /// friction stay.
+    /// That of Tresca's problem, whose bounds of friction stay, where the other
+    /// is not symmetric.
     DefiniteSolver::Matrix           tresca_matrix;
     std::vector<std::vector<double>> kept_rows; // by owned interface unknown
 

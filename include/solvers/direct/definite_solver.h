@@ -67,9 +67,9 @@ namespace Contact
     /**
      * The meaning of "automatic". In two dimensions CHOLMOD is as fast as AMG
      * at a hundred thousand unknowns, in three at some twenty-five thousand
-     * (tetrahedra; hexahedra with friction at twice that), and faster the more
-     * often an analysis or a factorization serves; beyond, its time and memory
-     * grow faster.
+     * (hexahedra with friction even beyond thirty thousand), and faster the
+     * more often an analysis or a factorization serves; beyond, its time and
+     * memory grow faster.
      */
     static Parameters::SolverKind choose(const unsigned int dimension,
                                          const std::size_t  n_unknowns,

@@ -16,9 +16,9 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// What a factorization costs by what one solution does, from its operations
-  /// and the entries of its factors: a solution waits for the memory, and takes
-  /// longer for each operation.
+  /// The price of a factorization in solutions, from its operations and the
+  /// entries of its factors: a solution waits for the memory, and takes longer
+  /// for each operation, by measurement in 3-D some 24 times.
   inline double price_of_factorization(const double n_operations,
                                        const double n_entries)
   {

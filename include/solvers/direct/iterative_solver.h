@@ -21,10 +21,10 @@ namespace Contact
    * unsymmetric. The preconditioner is kept, also for matrices with other
    * values, until it has become clearly worse than it was when it was new and
    * has cost more iterations than a new one would, or is about to: a constraint
-   * more or less costs conjugate gradients about one iteration. So it costs at
-   * most twice what the best choice of matrices to make it from would (the
-   * problem of renting or buying). The inverse of the matrix itself takes no
-   * iteration.
+   * more or less costs conjugate gradients about one iteration. The costs are
+   * then some twice those of the best choice of matrices to make it from, as
+   * far as prices are known (the problem of renting or buying). The inverse of
+   * the matrix itself takes no iteration.
    */
   class IterativeSolver : public DefiniteSolver
   {

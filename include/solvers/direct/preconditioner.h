@@ -14,8 +14,8 @@ namespace Contact
 {
   using namespace dealii;
 
-  /// What is made from a matrix at a price, and serves for others near it: a
-  /// factorization, or a multigrid hierarchy.
+  /// A factorization, or a multigrid hierarchy: made from a matrix at a price,
+  /// it serves for others near that.
   class Preconditioner
   {
   public:
@@ -48,7 +48,7 @@ namespace Contact
     /// Whether it is symmetric.
     virtual bool is_symmetric() const = 0;
 
-    /// What it costs to make it, in iterations, roughly.
+    /// The price of making it, in iterations, roughly.
     virtual double price() const = 0;
 
     /// Whether a symmetric matrix is found to be indefinite. An inverse has
