@@ -12,6 +12,7 @@
 #include "base/dimension.h"
 #include "base/string_utilities.h"
 #include "output/notes.h"
+#include "solid/strain_range.h"
 #include "solvers/direct/definite_solver.h"
 #include "solvers/multigrid/matrix_free_system.h"
 #include "solvers/rigid_pieces/rigid_body_modes.h"
@@ -309,21 +310,8 @@ namespace Contact
                                   const GhostedVector     &solution)
   {
     const double large_strain = 0.05;
-    const auto  &dofs         = model.discretization->vertex_dofs;
-    double       largest      = 0;
-    for (const auto &cell : model.mesh->triangulation.active_cell_iterators())
-      if (cell->is_locally_owned() &&
-          model.elasticity->is_small_strain(cell->material_id()))
-        for (const unsigned int edge : cell->line_indices())
-          {
-            const auto     line = cell->line(edge);
-            Tensor<1, dim> X = line->vertex(1) - line->vertex(0), x = X;
-            for (unsigned int c = 0; c < dim; ++c)
-              x[c] += solution[dofs[line->vertex_index(1)][c]] -
-                      solution[dofs[line->vertex_index(0)][c]];
-            largest = std::max(largest, std::abs(x.norm() / X.norm() - 1));
-          }
-    largest = Utilities::MPI::max(largest, model.discretization->communicator);
+    const double largest =
+      change_of_edges(*model.discretization, *model.elasticity, solution);
     return largest > large_strain
              ? "edges of cells change their length by up to " +
                  brief(100 * largest) +

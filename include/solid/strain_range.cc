@@ -5,6 +5,7 @@
 
 #include "solid/strain_range.h"
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/fe/fe_values_extractors.h>
 #include <deal.II/hp/fe_values.h>
@@ -84,6 +85,30 @@ namespace Contact
 
 
 
+  template<int dim>
+  double change_of_edges(const Discretization<dim> &discretization,
+                         const Elasticity<dim>     &elasticity,
+                         const GhostedVector       &u)
+  {
+    const auto &dofs    = discretization.vertex_dofs;
+    double      largest = 0;
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() &&
+          elasticity.is_small_strain(cell->material_id()))
+        for (const unsigned int edge : cell->line_indices())
+          {
+            const auto     line = cell->line(edge);
+            Tensor<1, dim> X = line->vertex(1) - line->vertex(0), x = X;
+            for (unsigned int c = 0; c < dim; ++c)
+              x[c] += u[dofs[line->vertex_index(1)][c]] -
+                      u[dofs[line->vertex_index(0)][c]];
+            largest = std::max(largest, std::abs(x.norm() / X.norm() - 1));
+          }
+    return Utilities::MPI::max(largest, discretization.communicator);
+  }
+
+
+
   std::string beyond_range(const StrainRange &range, const bool is_small_strain)
   {
     if (is_small_strain)
@@ -113,4 +138,10 @@ namespace Contact
                                     const Vector<double> &);
   template StrainRange strain_range(const Discretization<3> &,
                                     const Vector<double> &);
+  template double      change_of_edges(const Discretization<2> &,
+                                       const Elasticity<2> &,
+                                       const GhostedVector &);
+  template double      change_of_edges(const Discretization<3> &,
+                                       const Elasticity<3> &,
+                                       const GhostedVector &);
 } // namespace Contact

@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "solid/discretization.h"
+#include "solid/elasticity.h"
 
 namespace Contact
 {
@@ -30,6 +30,13 @@ namespace Contact
   template<int dim>
   StrainRange strain_range(const Discretization<dim> &discretization,
                            const Vector<double>      &u);
+
+  /// The largest change of the length of a cell's edge in bodies of small
+  /// strain, by that length. Collective.
+  template<int dim>
+  double change_of_edges(const Discretization<dim> &discretization,
+                         const Elasticity<dim>     &elasticity,
+                         const GhostedVector       &u);
 
   /**
    * Whether the kinematics are beyond their range there: a sentence, or

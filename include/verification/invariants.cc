@@ -13,6 +13,7 @@
 
 #include "base/dimension.h"
 #include "solid/followers.h"
+#include "solid/strain_range.h"
 
 namespace Contact
 {
@@ -45,30 +46,6 @@ namespace Contact
             load += std::abs(motion->force_at(Point<1>(t))) / motion->lever;
         largest_load = std::max(largest_load, load);
       }
-  }
-
-
-
-  template<int dim>
-  void InvariantCheck<dim>::advance()
-  {
-    start = std::move(end);
-  }
-
-
-
-  template<int dim>
-  const typename InvariantCheck<dim>::State &InvariantCheck<dim>::state() const
-  {
-    return start;
-  }
-
-
-
-  template<int dim>
-  void InvariantCheck<dim>::restore(const State &state)
-  {
-    start = state;
   }
 
 
@@ -131,6 +108,15 @@ namespace Contact
                 "a supported node is " + brief(found.supports) +
                   " mm from where it has to be",
                 wrong_forces);
+    const double change =
+      change_of_edges(discretization, elasticity, end.displacement);
+    found.check("small strain",
+                change,
+                0.5,
+                "edges of cells in small strain change their length by up to " +
+                  brief(100 * change) + " %",
+                "Set 'Solids/Kinematics = large displacement'; or check the "
+                "units: moduli in MPa, lengths in mm, loads in N.");
     balance_bodies(load_factor, slack, hold_forces, given_force, found);
     check_energy(slack, found);
     return found;

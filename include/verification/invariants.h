@@ -214,12 +214,20 @@ namespace Contact
 
     /// The increment that was checked last is accepted: the next one starts
     /// from its end. Without, the increment is repeated from the same start.
-    void advance();
+    void advance()
+    {
+      start = std::move(end);
+    }
 
     /// The start of the next increment.
-    const State &state() const;
-    void         restore(const State &state);
-
+    const State &state() const
+    {
+      return start;
+    }
+    void restore(const State &state)
+    {
+      start = state;
+    }
 
   private:
     void        balance_bodies(const double         load_factor,

@@ -66,6 +66,7 @@ def called_for(change, uncertainty, accepted):
 @dataclasses.dataclass
 class Comparison:
     """An effect on a probe; without estimate, or without true change, why."""
+    scene: str
     effect: dict
     probe: str = ""
     value: float = 0
@@ -92,11 +93,11 @@ def compare(contact, scene, base):
     for effect in base["estimated_effects"]:
         other, why = solve(contact, scene, *effect["entries"])
         if other is None:
-            yield Comparison(effect, why=why)
+            yield Comparison(scene, effect, why=why)
             continue
         for probe in other["probes"]:
             name = probe["name"]
-            yield Comparison(effect, name, values[name],
+            yield Comparison(scene, effect, name, values[name],
                              probe["value"] - values[name])
 
 
@@ -142,8 +143,12 @@ def main():
     print(f"| estimated / true within [0.5, 2] | {good} of {len(ratios)} |")
     for accuracy in (0.01, 0.001):
         right = [row.verdict_is_right(accuracy) for row in comparisons]
+        wrong = "".join(f"; {row.scene}, {row.effect['effect']}, {row.probe}"
+                        for row, is_right in zip(comparisons, right)
+                        if is_right is False)
         print(f"| verdicts at {accuracy:.1%} | {right.count(True)} right, "
-              f"{right.count(False)} wrong, {right.count(None)} not given |")
+              f"{right.count(False)} wrong, {right.count(None)} not given"
+              f"{wrong} |")
 
 
 if __name__ == "__main__":
