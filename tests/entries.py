@@ -15,8 +15,10 @@ Proves that
 - an interference presses two blocks on each other, and a block on an obstacle,
   with the closed form's pressure, and is released again; with every
   discretization, in 2-D and in 3-D, and as the mesh would that overlaps;
-- a curve in 3-D may be held: a plate on two edges, of degree 1 and 2, on
-  finer meshes and on two processes;
+- a curve in 3-D may be held, and has a reaction: a plate on two edges, of
+  degree 1 and 2, on finer meshes and on two processes;
+- a group of points is held, or excluded from contact, as its points one by one
+  are, and so are the nodes of a curve;
 - a boundary may be tied to a point: a platen that a force pushes goes as far as
   the displacement that needs this force, with all nodes where they are then, in
   2-D, in 3-D, with nodes that hang, on two processes, and in contact.
@@ -292,6 +294,7 @@ def curves():
              "Boundary conditions/Displacement y": "Left: 0",
              "Boundary conditions/Displacement z": "Left: 0, Right: 0",
              "Boundary conditions/Pressure": "A_Top: 0.01",
+             "Probes/Probes": "Left: reaction z, Left; Right: reaction z, Right",
              "Output/Nodes": "true"}
     adaptive = {"Refinement/Levels": 2, "Refinement/Strategy": "adaptive"}
     for what, more, ranks in (
@@ -308,13 +311,66 @@ def curves():
         forces = summary["increments"][-1]["reactions"]
         lift = sum(forces[name]["z"] for name in ("Left", "Right"))
         check(f"a plate on edges{what}, {ranks} processes",
-              held == on_edge and abs(lift - 0.08) < 1e-10,
-              f"{len(held)} {len(on_edge)} {lift}")
+              held == on_edge and abs(lift - 0.08) < 1e-10 and all(
+                  abs(values(summary)[name] - forces[name]["z"]) < 1e-12
+                  for name in ("Left", "Right")),
+              f"{len(held)} {len(on_edge)} {lift} {values(summary)}")
     status, said, _ = run("curves", {
         **scene, "Boundary conditions/Tied z": "Right: A_000",
         "Boundary conditions/Displacement z": "Left: 0",
         "Mesh/Points": "A_000: 4, 0, 0"})
     check("a curve is tied", status == 2 and "rotation" in said, said[:300])
+
+
+def groups_of_nodes():
+    mesh = Mesh()
+    mesh.block("A", 3, 2, box(-1, 0, 5, 2), {"bottom": "Base", "top": "Ground"})
+    first = len(mesh.nodes) + 1
+    mesh.block("B", 4, 2, box(0, 2, 4, 5), {"bottom": "Sole", "top": "Head"})
+    for k, name in ((0, "P"), (1, "Q"), (3, "R"), (4, "S")):
+        mesh.add(0, name, (first + k,))
+    for k in (0, 4):
+        mesh.add(0, "Ends", (first + k,))
+    mesh.add(1, "Heel", (first, first + 1))
+    mesh.add(1, "Toe", (first + 3, first + 4))
+    mesh.write("groups")
+    scene = {"Mesh/File": "groups.msh",
+             "Solids/Young's modulus": "A: 1000, B: 3000",
+             "Solids/Poisson's ratio": "A: 0.3, B: 0.2",
+             "Boundary conditions/Displacement x": "Base: 0, Head: 0.01",
+             "Boundary conditions/Displacement y": "Base: 0, Head: -0.1",
+             "Contact/Slave": "Sole", "Contact/Master": "Ground",
+             "Probes/Probes": "force: contact force y, Sole; "
+                              "x: reaction x, Base; p: pressure, Q"}
+
+    def solved(more, ranks=1):
+        status, said, summary = run("groups", {**scene, **more}, ranks)
+        return values(summary) if status == 0 else {"failed": said[:300]}
+
+    free = solved({"Probes/Probes": "force: contact force y, Sole"})
+    for what, entry, each, group, degree in (
+            ("excluded points", "Contact/Excluded points", "P, S", "Ends", 1),
+            ("an excluded curve", "Contact/Excluded points", "R, S", "Toe", 1),
+            ("excluded, degree 2", "Contact/Excluded points", "P, S", "Ends", 2),
+            ("held points", "Boundary conditions/Displacement x",
+             "Base: 0, Head: 0.01, P: 0.002, S: 0.002",
+             "Base: 0, Head: 0.01, Ends: 0.002", 1)):
+        expected = solved({entry: each, "Element/Degree": degree})
+        for ranks in (1, 2):
+            found = solved({entry: group, "Element/Degree": degree}, ranks)
+            check(f"{what}, {ranks} processes", found.keys() == expected.keys()
+                  and all(abs(found[name] - value) < 1e-8 * abs(value)
+                          for name, value in expected.items()) and
+                  abs(found["force"] - free["force"]) > 1e-3 * found["force"],
+                  f"{found} {expected} {free}")
+    for what, more, reason in (
+            ("none on the slave", {"Contact/Excluded points": "Base"},
+             "no node of 'Base' is on the slave"),
+            ("a probe at several points", {
+                "Probes/Probes": "u: displacement x, Ends"},
+             "more than one point")):
+        status, said, _ = run("groups", {**scene, **more})
+        check(f"{what} is refused", status == 2 and reason in said, said[:300])
 
 
 def interference():
@@ -470,6 +526,7 @@ shared_corner()
 named_points()
 platen()
 curves()
+groups_of_nodes()
 interference()
 tied_slave()
 sys.exit(len(failures) > 0)

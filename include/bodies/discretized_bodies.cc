@@ -89,6 +89,38 @@ namespace Contact
     u.update_ghosts();
   }
 
+  template<int dim>
+  std::vector<NodeDoFs<dim>>
+  nodes_on(const DoFHandler<dim>              &dof_handler,
+           const std::set<types::boundary_id> &boundary)
+  {
+    std::vector<NodeDoFs<dim>>           nodes, of_face;
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (!cell->is_artificial() && cell->at_boundary())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary() && boundary.count(face->boundary_id()) > 0)
+            {
+              const auto &fe = cell->get_fe();
+              dofs.resize(fe.n_dofs_per_face());
+              face->get_dof_indices(dofs, cell->active_fe_index());
+              of_face.resize(dofs.size() / dim);
+              for (unsigned int i = 0; i < dofs.size(); ++i)
+                {
+                  const auto [c, a] = fe.face_system_to_component_index(i);
+                  of_face[a][c]     = dofs[i];
+                }
+              nodes.insert(nodes.end(), of_face.begin(), of_face.end());
+            }
+    return nodes;
+  }
+
+
+
   template class DiscretizedBodies<2>;
   template class DiscretizedBodies<3>;
+  template std::vector<NodeDoFs<2>>
+  nodes_on(const DoFHandler<2> &, const std::set<types::boundary_id> &);
+  template std::vector<NodeDoFs<3>>
+  nodes_on(const DoFHandler<3> &, const std::set<types::boundary_id> &);
 } // namespace Contact

@@ -29,6 +29,15 @@ namespace Contact
   template<int dim>
   using NodeDoFs = std::array<types::global_dof_index, dim>;
 
+  /// The nodes of these faces that this process has cells at, as often as faces
+  /// have them.
+  template<int dim>
+  std::vector<NodeDoFs<dim>>
+  nodes_on(const DoFHandler<dim>              &dof_handler,
+           const std::set<types::boundary_id> &boundary);
+
+
+
   /// The stiffness of the bodies, by which contact scales its equations.
   class BodyStiffness
   {
@@ -99,12 +108,12 @@ namespace Contact
       return axisymmetric && X[0] <= axis_tolerance;
     }
 
-    /// The ids of a group of faces, the unknowns of a named vertex, or an
-    /// InputError; @p entry is the one that names it.
+    /// The ids of a group of faces, the nodes of any group that this process
+    /// has cells at, or an InputError; @p entry is the one that names it.
     virtual const std::set<types::boundary_id> &
-    boundary_ids(const std::string &name, const std::string &entry) const   = 0;
-    virtual const NodeDoFs<dim> &point_dofs(const std::string &name,
-                                            const std::string &entry) const = 0;
+    boundary_ids(const std::string &name, const std::string &entry) const = 0;
+    virtual std::vector<NodeDoFs<dim>>
+    nodes_of(const std::string &name, const std::string &entry) const = 0;
 
     /// The name of a body in messages.
     virtual std::string body_name(const types::material_id id) const = 0;

@@ -59,13 +59,13 @@ namespace Contact
 
 
 
-  // Vertices have no names.
+  // Only boundaries have names.
   template<int dim>
-  const NodeDoFs<dim> &
-  GivenBodies<dim>::point_dofs(const std::string &name,
-                               const std::string &entry) const
+  std::vector<NodeDoFs<dim>>
+  GivenBodies<dim>::nodes_of(const std::string &name,
+                             const std::string &entry) const
   {
-    throw InputError("there is no point '" + name + "'", entry, "leave it out");
+    return nodes_on(this->dof_handler, boundary_ids(name, entry));
   }
 
 

@@ -39,14 +39,14 @@ namespace Contact
                 const Boundaries                &boundaries,
                 const Moduli                    &moduli);
 
-    const std::set<types::boundary_id>                      &
+    const std::set<types::boundary_id> &
     boundary_ids(const std::string &name,
-                                      const std::string &entry) const override;
-    const NodeDoFs<dim> &point_dofs(const std::string &name,
-                                    const std::string &entry) const override;
-    std::string          body_name(const types::material_id id) const override;
-    unsigned int         piece(
-              const typename Triangulation<dim>::cell_iterator &cell) const override;
+                 const std::string &entry) const override;
+    std::vector<NodeDoFs<dim>>
+    nodes_of(const std::string &name, const std::string &entry) const override;
+    std::string  body_name(const types::material_id id) const override;
+    unsigned int piece(
+      const typename Triangulation<dim>::cell_iterator &cell) const override;
     bool   is_fixed(const types::global_dof_index dof) const override;
     bool   are_fixed_alike(const types::global_dof_index a,
                            const types::global_dof_index b) const override;

@@ -328,16 +328,15 @@ namespace Contact
 
 
 
-    std::map<std::string, unsigned int>
+    std::map<std::string, std::vector<unsigned int>>
     find_points(const MshFile &msh, const VertexNumbers &vertices)
     {
-      std::map<std::string, unsigned int> points;
+      std::map<std::string, std::vector<unsigned int>> points;
       for (const auto &element : msh.elements[0])
         if (const auto vertex = vertices.find(element.nodes[0]);
             vertex != vertices.end())
           for (const std::string &group : element.groups)
-            if (!points.emplace(group, vertex->second).second)
-              points[group] = numbers::invalid_unsigned_int;
+            points[group].push_back(vertex->second);
       return points;
     }
   } // namespace

@@ -36,7 +36,7 @@ namespace Contact
 
     std::map<std::string, std::set<types::boundary_id>> boundaries;
     std::map<std::string, std::set<types::boundary_id>> curves; // in 3-D
-    std::map<std::string, unsigned int>                 points;
+    std::map<std::string, std::vector<unsigned int>>    points;
 
     /// The groups that have faces inside of bodies, and in 3-D those of lines
     /// that are not all on the boundary: they are no curves.

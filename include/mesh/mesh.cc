@@ -231,7 +231,7 @@ namespace Contact
                              points_entry,
                              "name the body, '" + name +
                                " in BODY: x, y', or the point in the file");
-          mesh.points[name] = *closest;
+          mesh.points[name] = {*closest};
         }
     }
   } // namespace
@@ -372,12 +372,12 @@ namespace Contact
                                 const std::string &entry) const
   {
     refuse_place(name, entry);
-    const unsigned int vertex = find_group(points, "point", name, entry);
-    if (vertex == numbers::invalid_unsigned_int)
+    const auto &vertices = find_group(points, "point", name, entry);
+    if (vertices.size() > 1)
       throw InputError("the point group '" + name + "' has more than one point",
                        "entry '" + entry + "'",
                        "name a group of one point");
-    return vertex;
+    return vertices[0];
   }
 
 
@@ -405,7 +405,7 @@ namespace Contact
   Mesh<dim>::coarse_vertices(const std::string &name) const
   {
     if (const auto point = points.find(name); point != points.end())
-      return {point->second};
+      return {point->second.begin(), point->second.end()};
     std::set<unsigned int> vertices;
     const auto             insert = [&](const auto &part, const auto &ids) {
       if (ids.count(part->boundary_id()) > 0)

@@ -107,9 +107,8 @@ namespace Contact
     /// In 3-D the groups of lines that are not all on the boundary.
     std::set<std::string> inner_curves;
 
-    /// A group of several points is numbers::invalid_unsigned_int; points
-    /// which are no corners of cells are left out.
-    std::map<std::string, unsigned int> points;
+    /// Vertices by group: points which are no corners of cells are left out.
+    std::map<std::string, std::vector<unsigned int>> points;
 
     /// Named places that are none of the points above.
     std::map<std::string, NamedPlace<dim>> places;

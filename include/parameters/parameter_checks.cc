@@ -173,13 +173,13 @@ namespace Contact
         throw EntryError(
           "Points of the discretization " + discretization.name() +
             " are inside the faces: there is none to exclude at "
-            "a point group.",
+            "a node.",
           {entry, section() + "/Discretization"},
           "set 'Discretization = nodal', or leave the points empty");
       if (std::set<std::string>(excluded_points.begin(), excluded_points.end())
               .size() < excluded_points.size() ||
           std::count(excluded_points.begin(), excluded_points.end(), "") > 0)
-        throw EntryError("A point group is excluded twice or has no name.",
+        throw EntryError("A group is excluded twice or has no name.",
                          {entry},
                          "write each group once, separated by ','");
     }

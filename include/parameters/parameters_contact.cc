@@ -131,9 +131,9 @@ namespace Contact
       prm.add_parameter(
         "Excluded points",
         excluded_points,
-        "Point groups of the slave surface that carry no "
-        "contact point [-], separated by ','; for the discretizations "
-        "nodal and mortar.");
+        "Groups of points, curves or faces whose nodes on the slave "
+        "surface carry no contact point [-], separated by ','; for the "
+        "discretizations nodal and mortar.");
     }
 
 

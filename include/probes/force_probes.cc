@@ -81,14 +81,12 @@ namespace Contact
     const std::string  entry     = "Probes/Probes";
     const Mesh<dim>   &mesh      = *model.mesh;
     const unsigned int direction = component_of(quantity);
-    if (is_reaction(quantity) && mesh.boundaries.count(boundary) == 0 &&
-        mesh.points.count(boundary) > 0)
-      return Resultant<dim>(
-        *model.elasticity,
-        *model.discretization,
-        {model.discretization->vertex_dofs[mesh.point(boundary, entry)]},
-        direction,
-        /*of_supports=*/true);
+    if (is_reaction(quantity) && mesh.boundaries.count(boundary) == 0)
+      return Resultant<dim>(*model.elasticity,
+                            *model.discretization,
+                            model.discretization->nodes_of(boundary, entry),
+                            direction,
+                            /*of_supports=*/true);
     return Resultant<dim>(*model.elasticity,
                           *model.discretization,
                           mesh.boundary(boundary, entry),

@@ -173,8 +173,8 @@ namespace Contact
             cell->face(f)->get_dof_indices(dofs, cell->active_fe_index());
             shared.insert(dofs.begin(), dofs.end());
           }
-    for (const auto &[name, vertex] : mesh.points)
-      if (vertex != numbers::invalid_unsigned_int)
+    for (const auto &[name, vertices] : mesh.points)
+      for (const unsigned int vertex : vertices)
         shared.insert(vertex_dofs[vertex].begin(), vertex_dofs[vertex].end());
     for (const auto &[name, place] : places)
       for (const auto &unknowns : place.unknowns)
@@ -212,8 +212,8 @@ namespace Contact
   {
     std::vector<types::global_dof_index *> shared;
     std::vector<types::global_dof_index>   dofs;
-    for (const auto &[name, vertex] : mesh.points)
-      if (vertex != numbers::invalid_unsigned_int)
+    for (const auto &[name, vertices] : mesh.points)
+      for (const unsigned int vertex : vertices)
         for (auto &dof : vertex_dofs[vertex])
           {
             shared.push_back(&dof);
@@ -232,8 +232,8 @@ namespace Contact
   {
     const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
     std::map<unsigned int, unsigned int> owner;
-    for (const auto &[name, vertex] : mesh.points)
-      if (vertex != numbers::invalid_unsigned_int)
+    for (const auto &[name, vertices] : mesh.points)
+      for (const unsigned int vertex : vertices)
         owner[vertex] = numbers::invalid_unsigned_int;
     if (!owner.empty())
       for (const auto &cell : dof_handler.active_cell_iterators())
@@ -243,10 +243,11 @@ namespace Contact
                 at != owner.end())
               at->second = rank;
     places.clear();
-    for (const auto &[name, vertex] : mesh.points)
-      if (vertex != numbers::invalid_unsigned_int)
+    for (const auto &[name, vertices] : mesh.points)
+      if (vertices.size() == 1)
         {
-          Place<dim> &place = places[name];
+          const unsigned int vertex = vertices[0];
+          Place<dim>        &place  = places[name];
           for (unsigned int c = 0; c < dim; ++c)
             place.unknowns[c] = {{vertex_dofs[vertex][c], 1.}};
           if (Utilities::MPI::min(owner.at(vertex), communicator) == rank)

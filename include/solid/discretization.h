@@ -213,11 +213,8 @@ namespace Contact
     {
       return mesh.boundary(name, entry);
     }
-    const NodeDoFs<dim> &point_dofs(const std::string &name,
-                                    const std::string &entry) const override
-    {
-      return vertex_dofs[mesh.point(name, entry)];
-    }
+    std::vector<NodeDoFs<dim>>
+    nodes_of(const std::string &name, const std::string &entry) const override;
     std::string body_name(const types::material_id id) const override
     {
       return mesh.body_name(id);

@@ -19,7 +19,7 @@
 
 namespace Contact
 {
-  // The nodes of a point, of a curve in 3-D, or of a boundary. A mesh file
+  // The nodes of points, of a curve in 3-D, or of a boundary. A mesh file
   // may give points and boundaries the same name.
   template<int dim>
   void Discretization<dim>::visit_group(const unsigned int component,
@@ -35,11 +35,12 @@ namespace Contact
                            entry,
                            "give one of them another name in the mesh file or "
                            "in 'Mesh/Points'");
-        const unsigned int vertex = mesh.point(name, entry);
-        return visitor(
-          vertex_dofs[vertex][component],
-          [&]() { return mesh.triangulation.get_vertices()[vertex]; },
-          /*is_owned=*/true);
+        for (const unsigned int vertex : mesh.points.at(name))
+          visitor(
+            vertex_dofs[vertex][component],
+            [&]() { return mesh.triangulation.get_vertices()[vertex]; },
+            /*is_owned=*/true);
+        return;
       }
     const auto curve = mesh.curves.find(name);
     const bool is_curve =
@@ -84,6 +85,32 @@ namespace Contact
               },
               cell->is_locally_owned());
       }
+  }
+
+
+
+  // All components come in the same order.
+  template<int dim>
+  std::vector<NodeDoFs<dim>>
+  Discretization<dim>::nodes_of(const std::string &name,
+                                const std::string &entry) const
+  {
+    std::vector<NodeDoFs<dim>> nodes;
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        unsigned int n = 0;
+        visit_group(c,
+                    entry,
+                    name,
+                    [&](const types::global_dof_index dof,
+                        const PlaceOfNode &,
+                        const bool) {
+                      if (c == 0)
+                        nodes.emplace_back();
+                      nodes[n++][c] = dof;
+                    });
+      }
+    return nodes;
   }
 
 

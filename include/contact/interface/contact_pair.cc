@@ -171,23 +171,8 @@ namespace Contact
         surfaces_of_bodies = {{{&slave}, {&*master}}};
       }
 
-    for (const std::string &point : parameters.excluded_points)
-      {
-        const auto &dofs =
-          discretization.point_dofs(point, section + "/Excluded points");
-        bool is_on_slave = false;
-        for (unsigned int i = 0; i < slave.nodes.size(); ++i)
-          if (slave.nodes[i].dofs == dofs)
-            {
-              excluded.insert(i);
-              is_on_slave = true;
-            }
-        if (!is_on_slave)
-          throw InputError("the point '" + point + "' is not on the slave '" +
-                             parameters.slave + "'",
-                           "entry '" + section + "/Excluded points'",
-                           "name a vertex of the slave, or leave it out");
-      }
+    for (const std::string &group : parameters.excluded_points)
+      exclude(group, section + "/Excluded points");
     check_ties(slave,
                master ? &*master : nullptr,
                excluded,
@@ -205,6 +190,30 @@ namespace Contact
         if (discretization.is_on_axis(slave.nodes[i].X) &&
             excluded.count(i) == 0)
           on_axis.insert(i);
+  }
+
+
+
+  // A process has cells at some of the nodes.
+  template<int dim>
+  void ContactPair<dim>::exclude(const std::string &group,
+                                 const std::string &entry)
+  {
+    const auto                    nodes = discretization.nodes_of(group, entry);
+    const std::set<NodeDoFs<dim>> of_group(nodes.begin(), nodes.end());
+    std::set<unsigned int>        here;
+    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+      if (of_group.count(slave.nodes[i].dofs) > 0)
+        here.insert(i);
+    const std::size_t n_before = excluded.size();
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(discretization.communicator, here))
+      excluded.insert(of_rank.begin(), of_rank.end());
+    if (excluded.size() == n_before)
+      throw InputError("no node of '" + group + "' is on the slave '" +
+                         parameters.slave + "', or all are excluded already",
+                       "entry '" + entry + "'",
+                       "name a group of its nodes, or leave it out");
   }
 
 

@@ -208,10 +208,11 @@ namespace Contact
     Point<dim> place(const ContactPoint<dim> &point) const;
 
   private:
-    NormalCone<dim>                directions(const ContactPoint<dim>    &point,
-                                              const DeformedSurface<dim> &now,
-                                              const GhostedVector        &u) const;
-    bool                           can_have_corner_points() const;
+    NormalCone<dim> directions(const ContactPoint<dim>    &point,
+                               const DeformedSurface<dim> &now,
+                               const GhostedVector        &u) const;
+    void            exclude(const std::string &group, const std::string &entry);
+    bool            can_have_corner_points() const;
     std::vector<ContactPoint<dim>> make_discretization_points();
     void make_axis_points(std::vector<ContactPoint<dim>> &points);
     bool pair_all(const ArrayView<ContactPoint<dim>> &points,

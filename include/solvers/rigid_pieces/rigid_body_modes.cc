@@ -66,7 +66,7 @@ namespace Contact
         for (const auto &[name, partner] : discretization.boundary.tied[c])
           for (const unsigned int vertex : mesh.coarse_vertices(name))
             motions.resist({share(vertex, 1),
-                            share(mesh.points.at(partner), -1)},
+                            share(mesh.points.at(partner)[0], -1)},
                            Point<dim>::unit_vector(c));
     }
 
@@ -84,7 +84,7 @@ namespace Contact
       for (const auto &[name, point] : boundary.rigid)
         {
           const auto         vertices = mesh.coarse_vertices(name);
-          const Point<dim>   P        = places[mesh.points.at(point)];
+          const Point<dim>   P        = places[mesh.points.at(point)[0]];
           const unsigned int piece =
             mesh.pieces.of_coarse_vertex(*vertices.begin());
           for (const unsigned int vertex : vertices)
