@@ -517,7 +517,7 @@ namespace Contact
   // state is that of the increment's start; the pattern of the matrix is made
   // anew. The tangent may have to know how the pairing changes, or a body that
   // contact alone held may have come loose on the way: then it is held, too.
-  // Else the load is applied in smaller steps.
+  // Springs may be too soft. Else the load is applied in smaller steps.
   template<int dim>
   bool ContactProblem<dim>::try_again(LoadSteps             &steps,
                                       const LoadSteps::Step &step,
@@ -541,6 +541,11 @@ namespace Contact
     stabilization.stabilize_free_pieces(nullptr);
     if (stabilization.has_grown())
       return true;
+    if (stabilization.stiffen())
+      {
+        report.log << "  once more with stiffer springs" << std::endl;
+        return true;
+      }
     if (steps.cut())
       {
         report.log << "  cut in half" << std::endl;

@@ -341,7 +341,7 @@ def groups_of_nodes():
              "Boundary conditions/Displacement y": "Base: 0, Head: -0.1",
              "Contact/Slave": "Sole", "Contact/Master": "Ground",
              "Probes/Probes": "force: contact force y, Sole; "
-                              "x: reaction x, Base; p: pressure, Q"}
+                              "p: pressure, Q"}
 
     def solved(more, ranks=1):
         status, said, summary = run("groups", {**scene, **more}, ranks)

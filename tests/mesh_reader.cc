@@ -35,12 +35,12 @@ std::string describe(const Mesh<2> &mesh)
       out << "boundary " << name << ": " << ids.size() << " ids, length "
           << length << std::endl;
     }
-  for (const auto &[name, vertex] : mesh.points)
-    if (vertex == numbers::invalid_unsigned_int)
+  for (const auto &[name, vertices] : mesh.points)
+    if (vertices.size() > 1)
       out << "points " << name << std::endl;
     else
-      out << "point " << name << ": vertex " << vertex << " at "
-          << triangulation.get_vertices()[vertex] << std::endl;
+      out << "point " << name << ": vertex " << vertices[0] << " at "
+          << triangulation.get_vertices()[vertices[0]] << std::endl;
   out << "determinants "
       << (area(triangulation).least_fraction > 0 ? "positive" : "NOT positive")
       << std::endl;

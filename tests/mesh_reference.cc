@@ -79,9 +79,9 @@ int main()
               n_lines += boundary_ids.count(face->boundary_id());
             std::cout << group << ": " << n_lines << " lines" << std::endl;
           }
-        for (const auto &[point, vertex] : mesh.points)
-          std::cout << point << ": " << triangulation.get_vertices()[vertex]
-                    << std::endl;
+        for (const auto &[point, vertices] : mesh.points)
+          std::cout << point << ": "
+                    << triangulation.get_vertices()[vertices[0]] << std::endl;
         std::cout << "B and C are two vertices: "
                   << (mesh.points.at("B") != mesh.points.at("C") ? "yes" : "no")
                   << std::endl;

@@ -4,7 +4,8 @@
 
 Proves that a body that friction alone holds is named, and with the fixed point
 over Tresca's friction as well, and one that a support or glue holds is not; that units
-that do not fit together are a remark, with a result and without one; that where
+that do not fit together are a remark, with a result and without one, and a violated
+invariant where edges in small strain change by half of their length; that where
 two attempts end on their way the results of the first one are kept, and the
 summary tells of both; that --restart of a run that has converged is an error that
 leaves its results; that the remedy for a rigid boundary that meets the slave
@@ -76,6 +77,11 @@ status, said, summary = solve(
     case, "Solids/Young's modulus=Foundation: 70, Block: 210")
 check("units of a result", status == 0 and any(UNITS in t for t in texts(summary)),
       said)
+status, said, _ = solve(
+    case, "Solids/Young's modulus=Foundation: 30, Block: 15",
+    "Boundary conditions/Traction x=")
+check("edges that change by half of their length", status == 1 and
+      "violated: small strain: edges of cells" in said, said)
 status, said, summary = solve(
     case, "Solids/Young's modulus=Foundation: 0.7, Block: 0.21",
     "Solution/Max cut-backs=0", "Solution/Increments=1")

@@ -120,7 +120,7 @@ namespace Contact
   template class DiscretizedBodies<2>;
   template class DiscretizedBodies<3>;
   template std::vector<NodeDoFs<2>>
-  nodes_on(const DoFHandler<2> &, const std::set<types::boundary_id> &);
+  nodes_on<2>(const DoFHandler<2> &, const std::set<types::boundary_id> &);
   template std::vector<NodeDoFs<3>>
-  nodes_on(const DoFHandler<3> &, const std::set<types::boundary_id> &);
+  nodes_on<3>(const DoFHandler<3> &, const std::set<types::boundary_id> &);
 } // namespace Contact

@@ -13,8 +13,6 @@
 #include "base/string_utilities.h"
 #include "output/notes.h"
 #include "solid/strain_range.h"
-#include "solvers/direct/definite_solver.h"
-#include "solvers/multigrid/matrix_free_system.h"
 #include "solvers/rigid_pieces/rigid_body_modes.h"
 #include "verification/rigid_fit.h"
 
@@ -275,32 +273,6 @@ namespace Contact
            "contact. Check gaps, groups and the direction of loads"});
     }
 
-
-
-    // Elements of degree 2 with a bound centre node have no multigrid without a
-    // matrix, and where CHOLMOD does not serve any more miss it.
-    template<int dim>
-    void add_note_on_solver(const Parameters::All   &parameters,
-                            const ContactModel<dim> &model,
-                            Findings                &findings)
-    {
-      const Discretization<dim> &discretization = *model.discretization;
-      const auto                 with_matrix =
-        DefiniteSolver::choose(dim,
-                               model.n_displacements(),
-                               Utilities::MPI::n_mpi_processes(
-                                 discretization.communicator));
-      if (parameters.solution.linear_solver ==
-            Parameters::SolverKind::automatic &&
-          (dim == 3 || parameters.is_condensed(model.n_displacements())) &&
-          with_matrix == Parameters::SolverKind::amg &&
-          MatrixFreeSystem<dim>::lacks_centre_nodes(discretization,
-                                                    *model.elasticity))
-        findings.push_back(
-          {"a mesh of this size is solved in less time and memory with "
-           "'Element/Centre node = free': by geometric multigrid without a "
-           "matrix, which does not know elements without centre node"});
-    }
   } // namespace
 
 
@@ -360,7 +332,6 @@ namespace Contact
                            const RunSummary        &summary)
   {
     Findings findings;
-    add_note_on_solver(parameters, model, findings);
     findings.push_back({beyond_small_strain(model, solution)});
     add_notes_on_bending(model, solution, findings);
     if (!model.interface)

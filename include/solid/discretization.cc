@@ -321,8 +321,7 @@ namespace Contact
         own_constraints.add_entries(line.dof, line.entries);
         own_constraints.set_inhomogeneity(line.dof, line.inhomogeneity);
       }
-    if (serendipity)
-      bind_centres(*this, own_constraints);
+    bind_centres(*this, dof_handler, own_constraints);
     own_constraints.close();
   }
 

@@ -9,7 +9,6 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/grid/tria.h>
 
-#include <set>
 #include <vector>
 
 #include "solid/discretization.h"
@@ -99,15 +98,16 @@ namespace Contact
 
 
 
-  template<int dim>
+  template<int dim, typename Number>
   void bind_centres(const Discretization<dim> &discretization,
-                    AffineConstraints<double> &constraints)
+                    const DoFHandler<dim>     &dof_handler,
+                    AffineConstraints<Number> &constraints)
   {
-    std::set<types::global_dof_index>    constrained, seen;
-    std::vector<types::global_dof_index> dofs;
-    for (const auto &line : constraints.get_lines())
-      constrained.insert(line.index);
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    if (!discretization.serendipity)
+      return;
+    std::vector<types::global_dof_index>                    dofs;
+    std::vector<std::pair<types::global_dof_index, Number>> leaders;
+    for (const auto &cell : dof_handler.active_cell_iterators())
       if (!cell->is_artificial())
         {
           const std::vector<BoundNode> bound =
@@ -123,12 +123,13 @@ namespace Contact
                 {
                   // Of a face in common with a cell before: it is bound.
                   const auto index = dof(follower.node);
-                  if (constrained.count(index) > 0 ||
-                      !seen.insert(index).second)
+                  if (constraints.is_constrained(index))
                     continue;
-                  constraints.add_line(index);
+                  leaders.clear();
                   for (const auto &[node, factor] : follower.leaders)
-                    constraints.add_entry(index, dof(node), factor);
+                    leaders.emplace_back(dof(node), factor);
+                  constraints.add_line(index);
+                  constraints.add_entries(index, leaders);
                 }
             }
         }
@@ -148,8 +149,7 @@ namespace Contact
         constraints.add_line(dof);
         constraints.add_entry(dof, leader, 1.);
       }
-    if (discretization.serendipity)
-      bind_centres(discretization, constraints);
+    bind_centres(discretization, discretization.dof_handler, constraints);
     constraints.close();
     return constraints;
   }
@@ -184,7 +184,11 @@ namespace Contact
     const Discretization<dim> &,                                                \
     const DoFHandler<dim>::active_cell_iterator &);                             \
   template void                      bind_centres(const Discretization<dim> &,  \
+                                                  const DoFHandler<dim> &,      \
                                                   AffineConstraints<double> &); \
+  template void                      bind_centres(const Discretization<dim> &,  \
+                                                  const DoFHandler<dim> &,      \
+                                                  AffineConstraints<float> &);  \
   template AffineConstraints<double> followers(const Discretization<dim> &);    \
   template void hand_over_from_followers(const Discretization<dim> &,           \
                                          GhostedVector &);

@@ -40,12 +40,14 @@ namespace Contact
   bound_nodes(const Discretization<dim> &discretization,
               const typename DoFHandler<dim>::active_cell_iterator &cell);
 
-  /// Add the constraints of serendipity elements. Nodes on faces that supports
-  /// hold are left out, and those that hang: they follow the face of a larger
-  /// cell, which is one of these elements.
-  template<int dim>
+  /// Add the constraints of serendipity elements on a mesh, which may be a
+  /// coarser one. Nodes on faces that supports hold are left out, and those
+  /// that hang: they follow the face of a larger cell, which is one of these
+  /// elements.
+  template<int dim, typename Number>
   void bind_centres(const Discretization<dim> &discretization,
-                    AffineConstraints<double> &constraints);
+                    const DoFHandler<dim>     &dof_handler,
+                    AffineConstraints<Number> &constraints);
 
   /**
    * The unknowns that follow others: hanging nodes, bound centres, ties;

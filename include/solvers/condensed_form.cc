@@ -279,11 +279,7 @@ namespace Contact
                            "of " +
                              of,
                            "entry Solution/Linear solver = GMG",
-                           std::string("set 'Linear solver = AMG', or "
-                                       "'automatic'") +
-                             (discretization.serendipity
-                                ? ", or 'Element/Centre node = free'"
-                                : ""));
+                           "set 'Linear solver = AMG', or 'automatic'");
         if (MatrixFreeSystem<dim>::is_too_deep(discretization.mesh))
           return Parameters::SolverKind::amg;
       }

@@ -5,7 +5,10 @@
 
 #include "contact/interface/contact_pair.h"
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
+#include <boost/serialization/set.hpp>
 #include <limits>
 
 #include "base/errors.h"

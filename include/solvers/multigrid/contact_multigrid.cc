@@ -126,6 +126,7 @@ namespace Contact
         transfers[l]->initialize();
       }
     coarse_supports = gathered(fixed, discretization.communicator);
+    coarse_centres  = levels[0]->bound_centres();
   }
 
 
@@ -225,18 +226,19 @@ namespace Contact
   AffineConstraints<double> ContactMultigrid<dim>::coarse_constraints() const
   {
     AffineConstraints<double> all;
-    for (unsigned int line = 0; line < coarse_lines.size(); ++line)
-      {
-        all.add_line(coarse_lines.dofs[line]);
-        for (unsigned int k = coarse_lines.begin(line);
-             k < coarse_lines.end(line);
-             ++k)
-          all.add_entry(coarse_lines.dofs[line],
-                        coarse_lines.others[k],
-                        coarse_lines.factors[k]);
-      }
+    const auto                add = [&](const SurfaceRows &rows) {
+      for (unsigned int row = 0; row < rows.size(); ++row)
+        if (!all.is_constrained(rows.dofs[row]))
+          {
+            all.add_line(rows.dofs[row]);
+            for (unsigned int k = rows.begin(row); k < rows.end(row); ++k)
+              all.add_entry(rows.dofs[row], rows.others[k], rows.factors[k]);
+          }
+    };
+    add(coarse_lines);
     for (const Dof dof : coarse_supports) // the mesh has no hanging nodes
       all.add_line(dof);
+    add(coarse_centres);
     all.close();
     return all;
   }

@@ -88,8 +88,9 @@ namespace Contact
     bool is_complete = false;
 
     // Of the coarsest mesh, on all ranks.
-    Dofs coarse_supports;
-    Dofs coarse_cells; // the unknowns of one behind those of the other
+    Dofs        coarse_supports;
+    SurfaceRows coarse_centres; // that are bound
+    Dofs        coarse_cells;   // the unknowns of one behind those of the other
 
     /// Of virtual displacements on the finest level, if they have other lines.
     SurfaceProjection<typename MultigridLevel<dim>::Number> test_projection;

@@ -20,14 +20,6 @@
 
 namespace Contact
 {
-  namespace
-  {
-    const std::string no_centre_nodes =
-      "elements without centre node (Element/Centre node)";
-  }
-
-
-
   template<int dim>
   MatrixFreeSystem<dim>::MatrixFreeSystem(
     const Discretization<dim>   &discretization,
@@ -96,8 +88,6 @@ namespace Contact
       return "unknowns that are tied together";
     if (is_on_any_rank(!discretization.normal_supports.lines().empty()))
       return "supports along normals";
-    if (discretization.serendipity && discretization.mesh.has_hypercubes())
-      return no_centre_nodes;
     return "";
   }
 
@@ -143,18 +133,6 @@ namespace Contact
   {
     return is_worth_it(discretization, elasticity) &&
            refusal(discretization, elasticity).empty();
-  }
-
-
-
-  template<int dim>
-  bool MatrixFreeSystem<dim>::lacks_centre_nodes(
-    const Discretization<dim> &discretization,
-    const Elasticity<dim>     &elasticity)
-  {
-    return discretization.mesh.triangulation.n_global_levels() > 1 &&
-           is_worth_it(discretization, elasticity) &&
-           refusal(discretization, elasticity) == no_centre_nodes;
   }
 
 

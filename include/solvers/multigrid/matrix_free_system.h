@@ -53,11 +53,6 @@ namespace Contact
     static bool is_preferred(const Discretization<dim> &discretization,
                              const Elasticity<dim>     &elasticity);
 
-    /// Whether it were, on a refined mesh, if the elements had their centre
-    /// nodes.
-    static bool lacks_centre_nodes(const Discretization<dim> &discretization,
-                                   const Elasticity<dim>     &elasticity);
-
     /// Those of linear bodies, by the operator.
     bool subtract_forces(const GhostedVector &u,
                          GhostedVector       &rhs) const override;

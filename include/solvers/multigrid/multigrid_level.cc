@@ -7,6 +7,8 @@
 
 #include <deal.II/dofs/dof_tools.h>
 
+#include "solid/followers.h"
+
 namespace Contact
 {
   template<int dim>
@@ -18,6 +20,7 @@ namespace Contact
                                                       : own_dof_handler)
     , mapping(finest.mapping[0])
     , quadrature(finest.quadrature[0])
+    , finest(finest)
     , communicator(finest.communicator)
     , materials(materials)
   {
@@ -60,6 +63,7 @@ namespace Contact
     for (const Dof dof : on_ghosts(fixed))
       if (!constraints.is_constrained(dof))
         constraints.add_line(dof);
+    bind_centres(finest, dof_handler, constraints);
     constraints.close();
     bodies = std::make_unique<BodyOperator<dim, Number>>(mapping,
                                                          quadrature,
@@ -69,6 +73,21 @@ namespace Contact
     for (Vector *vector : {&rhs, &solution, &residual})
       bodies->initialize(*vector);
     make_smoother();
+  }
+
+
+
+  template<int dim>
+  SurfaceRows MultigridLevel<dim>::bound_centres() const
+  {
+    AffineConstraints<double> bound;
+    bind_centres(finest, dof_handler, bound);
+    bound.close();
+    Dofs centres;
+    for (const auto &line : bound.get_lines())
+      centres.push_back(line.index);
+    return SurfaceRows(centres, bound, dof_handler.locally_owned_dofs())
+      .of_all_ranks(communicator);
   }
 
 

@@ -83,11 +83,14 @@ namespace Contact
       smoother.step(solution, rhs);
     }
 
-    /// Hanging nodes and supports.
+    /// Hanging nodes, supports and bound centres.
     const AffineConstraints<Number> &supports() const
     {
       return constraints;
     }
+
+    /// Of serendipity elements, on all ranks. Collective.
+    SurfaceRows bound_centres() const;
 
     /// The lines as they were given, and those whose eliminated unknown is of
     /// this rank.
@@ -129,6 +132,7 @@ namespace Contact
     void invert_diagonal();
     Dofs on_ghosts(const Dofs &own) const;
 
+    const Discretization<dim>                    &finest;
     const MPI_Comm                                communicator;
     const std::map<types::material_id, Material> &materials;
     AffineConstraints<Number>                     constraints;

@@ -91,11 +91,17 @@ namespace Contact
   void NewtonState<dim>::evaluate_with(const bool single_changes)
   {
     const MPI_Comm communicator = model.discretization->communicator;
-    pairing.follow(state.solution, /*after_a_step=*/n_steps > 0);
     {
       TimerOutput::Scope scope(timer, "residual");
       smallest_volume = smallest_of_all_ranks(evaluate_bodies(), communicator);
     }
+    // No state of the bodies: surfaces may be anywhere, and take long to pair.
+    if (n_steps > 0 && smallest_volume.is_inside_out())
+      {
+        convergence.evaluate(rhs, state);
+        return;
+      }
+    pairing.follow(state.solution, /*after_a_step=*/n_steps > 0);
     n_status_changes = model.interface ? update_status(single_changes) : 0;
 
     TimerOutput::Scope scope(timer, "residual");

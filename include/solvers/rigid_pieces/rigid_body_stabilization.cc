@@ -28,6 +28,7 @@ namespace Contact
   void RigidBodyStabilization<dim>::begin_level()
   {
     held.clear();
+    is_stiff = false;
     if (model.interface)
       turning = turning_pieces(*model.discretization,
                                *model.elasticity,
@@ -134,8 +135,9 @@ namespace Contact
   template<int dim>
   void RigidBodyStabilization<dim>::choose_stiffness()
   {
-    const auto &springs = model.elasticity->springs;
-    double      softest = std::numeric_limits<double>::max();
+    const auto  &springs = model.elasticity->springs;
+    const double share   = is_stiff ? 1e-4 : 1e-6;
+    double       softest = std::numeric_limits<double>::max();
     for (const auto &body : model.mesh->bodies)
       softest =
         std::min(softest, model.elasticity->youngs_modulus(body.second));
@@ -143,7 +145,7 @@ namespace Contact
     stiffest.clear();
     for (const RigidBodyMode &motion : held)
       stiffest[motion.piece] = stiffness[motion.piece].translation =
-        1e-6 * softest * springs.mean_depth(motion.piece);
+        share * softest * springs.mean_depth(motion.piece);
     for (const SpinningPiece &piece : turning)
       {
         stiffest[piece.piece] = softest * springs.mean_depth(piece.piece);

@@ -56,6 +56,15 @@ namespace Contact
     /// unknown [N per mm of thickness]; none if nothing was held. Collective.
     GhostedVector release(const IncrementState<dim> &state);
 
+    /// Where bodies on soft springs go astray, take stiffer ones, which need
+    /// more iterations for a long way; where those fail as well, soft ones in
+    /// smaller steps. Returns whether they are stiffer now.
+    bool stiffen()
+    {
+      is_stiff = !is_stiff && !held.empty();
+      return is_stiff;
+    }
+
     /**
      * Choose the stiffness of the springs, in proportion to that of the softest
      * body. What turns in itself is held against that as by a body. Collective.
@@ -95,6 +104,7 @@ namespace Contact
 
     std::vector<RigidBodyMode> held;
     std::size_t                n_at_start = 0;
+    bool                       is_stiff   = false;
     std::vector<SpinningPiece> turning; // in itself, on this mesh
 
     // By piece, and the larger one of k and kappa/R^2.
