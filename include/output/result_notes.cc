@@ -11,6 +11,7 @@
 
 #include "base/dimension.h"
 #include "base/string_utilities.h"
+#include "contact/results/contact_depth.h"
 #include "output/notes.h"
 #include "solid/strain_range.h"
 #include "solvers/rigid_pieces/rigid_body_modes.h"
@@ -21,6 +22,7 @@ namespace Contact
   namespace
   {
     // On an arc a chord of length L that rises by f is off by f as a polygon,
+    // which the angles between chords tell, whether the arc is known or not,
     // and with elements of degree 2 by f^3/L^2: there R f = L^2/8, and the
     // parabola through the ends and the middle is R (L/2R)^4/32 from the circle
     // between them. The sides of the mesh file keep their parabolas where they
@@ -30,7 +32,10 @@ namespace Contact
                         const std::vector<bool> &in_contact,
                         const bool               keeps_parabolas)
     {
-      double largest = 0;
+      double     largest = 0;
+      const auto bounds  = surface.degree == 1
+                             ? sagittas(DeformedSurface<dim>(surface, {}))
+                             : std::vector<double>();
       for (unsigned int e = 0; e < surface.facets.size(); ++e)
         if (in_contact[e])
           {
@@ -50,11 +55,11 @@ namespace Contact
             const double parabola = rise * std::pow(rise / chord, 2);
             largest =
               std::max(largest,
-                       keeps_parabolas
-                         ? std::max(surface.degree == 1 ? rise : 0.,
-                                    parabola * std::pow(16., facet.level))
-                       : surface.degree == 1 ? rise
+                       keeps_parabolas ? parabola * std::pow(16., facet.level)
+                       : surface.degree == 1 ? 0.
                                              : parabola);
+            if (surface.degree == 1)
+              largest = std::max(largest, bounds[e] / 2);
           }
       return largest;
     }
@@ -103,8 +108,9 @@ namespace Contact
                (master.empty() ? "" : "' and '" + entries[z].master) +
                "' are up to about " + brief(off) +
                " mm off their circles where they touch, " +
-               brief(100 * off / moved) +
-               " % of what the surfaces deform by: where the meshes "
+               (off < moved ? brief(100 * off / moved) + " %"
+                            : brief(off / moved) + " times") +
+               " of what the surfaces deform by: where the meshes "
                "do not match, gaps and overlaps of this size are the meshes', and "
                "pressures follow them. " +
                (keeps_parabolas
@@ -297,28 +303,29 @@ namespace Contact
 
   namespace
   {
-    // By as much as that of their energy such cells are too stiff.
+    // By as much as that of their energy such cells are too stiff. Bodies that
+    // no force deforms have some as well.
     template<int dim>
     void add_notes_on_bending(const ContactModel<dim> &model,
                               const GhostedVector     &solution,
                               Findings                &findings)
     {
-      const double much = 0.1;
+      const double much = 0.1, little = 0.001;
+      const double of_all = model.elasticity->strain_energy(solution);
       for (const auto &[name, body] : model.mesh->bodies)
         {
-          const double missing =
-            model.elasticity->missing_modes(solution, body);
-          if (missing == 0)
-            continue;
-          const double energy = model.elasticity->strain_energy(solution, body);
-          if (missing > much * energy)
+          const auto energy = model.elasticity->bending_energy(solution, body);
+          if (energy.missing > much * energy.whole &&
+              energy.missing > little * of_all)
             findings.push_back(
               {"the linear " + std::string(Dimension<dim>::hypercubes) +
-               " of '" + name +
-               "' are too stiff in bending: " + brief(100 * missing / energy) +
+               " of '" + name + "' are too stiff in bending: " +
+               brief(100 * energy.missing / energy.whole) +
                " % of its strain energy would be gone if they could bend. Set "
-               "'Degree = 2', or 'Incompatible modes = " +
-               name + "'"});
+               "'Degree = 2'" +
+               (model.elasticity->may_yield(body)
+                  ? ""
+                  : ", or 'Incompatible modes = " + name + "'")});
         }
     }
   } // namespace

@@ -174,11 +174,17 @@ namespace Contact
     strain_energy(const GhostedVector                    &u,
                   const std::optional<types::material_id> body = {}) const;
 
-    /// The part of the energy of an elastic body that its quadrangles or
-    /// hexahedra of degree 1 would not have if they could bend, by incompatible
-    /// modes: those that bend are too stiff. Zero of all others. Collective.
-    double missing_modes(const GhostedVector     &u,
-                         const types::material_id body) const;
+    /// The energies of a body, if it were elastic under its strains: that which
+    /// its quadrangles or hexahedra of degree 1 would not have if they could
+    /// bend, by incompatible modes, as those that bend are too stiff; and the
+    /// whole. Zero of rubber, and of bodies that hardly change their volume.
+    /// Collective.
+    struct BendingEnergy
+    {
+      double missing = 0, whole = 0;
+    };
+    BendingEnergy bending_energy(const GhostedVector     &u,
+                                 const types::material_id body) const;
 
     /// Add the derivative of the energy of a body, its internal forces, times
     /// @p factor. Of several ranks each adds its own part.
@@ -217,6 +223,11 @@ namespace Contact
                          [](const auto &kernel) {
                            return kernel.second->is_linear();
                          });
+    }
+
+    bool may_yield(const types::material_id body) const
+    {
+      return laws.at(body)->n_history() > 0;
     }
 
     /// Whether all bodies are linear elastic or St. Venant-Kirchhoff's.

@@ -170,14 +170,16 @@ namespace Contact
 
   // Of the modes, orthonormal in the energy, a cell would take alpha.
   template<int dim>
-  double Elasticity<dim>::missing_modes(const GhostedVector     &u,
-                                        const types::material_id body) const
+  typename Elasticity<dim>::BendingEnergy
+  Elasticity<dim>::bending_energy(const GhostedVector     &u,
+                                  const types::material_id body) const
   {
-    double energy = 0;
-    if (discretization.degree == 1 && laws.at(body)->is_linear() &&
-        enhanced.count(body) == 0 && projected.count(body) == 0)
+    BendingEnergy energy;
+    const auto   &law = *laws.at(body);
+    if (discretization.degree == 1 && enhanced.count(body) == 0 &&
+        (law.is_linear() || law.n_history() > 0))
       for (const CellTable<dim> &cell : tables.own)
-        if (cell.body == body &&
+        if (cell.body == body && !cell.material->is_nearly_incompressible() &&
             cell.JxW.size() == GeometryInfo<dim>::vertices_per_cell)
           {
             const auto modes = stress_modes<dim>(QGauss<dim>(2), cell);
@@ -185,12 +187,21 @@ namespace Contact
               cell.kernel->strains(cell, u.extract(cell.dofs));
             std::array<double, dim * dim> alpha{};
             for (unsigned int q = 0; q < strains.size(); ++q)
-              for (unsigned int m = 0; m < alpha.size(); ++m)
-                alpha[m] += cell.JxW[q] * (modes[q][m] * strains[q]);
+              {
+                for (unsigned int m = 0; m < alpha.size(); ++m)
+                  alpha[m] += cell.JxW[q] * (modes[q][m] * strains[q]);
+                energy.whole +=
+                  0.5 * cell.JxW[q] *
+                  (cell.material->template stress<3>(strains[q]) * strains[q]);
+              }
             for (const double of_mode : alpha)
-              energy += 0.5 * of_mode * of_mode;
+              energy.missing += 0.5 * of_mode * of_mode;
           }
-    return Utilities::MPI::sum(energy, discretization.communicator);
+    energy.missing =
+      Utilities::MPI::sum(energy.missing, discretization.communicator);
+    energy.whole =
+      Utilities::MPI::sum(energy.whole, discretization.communicator);
+    return energy;
   }
 
 

@@ -14,34 +14,31 @@
 
 namespace Contact
 {
+  template<int dim>
+  std::vector<double> sagittas(const DeformedSurface<dim> &drawn)
+  {
+    const Surface<dim> &surface = drawn.surface;
+    const auto         &means   = drawn.facet_normals();
+    std::vector<double> sagittas(surface.facets.size(), 0.);
+    for (unsigned int e = 0; e < surface.facets.size(); ++e)
+      for (unsigned int a = 0; a < surface.facets[e].n_nodes(); ++a)
+        {
+          const double cosine =
+            std::clamp(drawn.normal(e, surface.facets[e].kind->places[a]) *
+                         means[e][a],
+                       -1.,
+                       1.);
+          sagittas[e] =
+            std::max(sagittas[e],
+                     2 * std::acos(cosine) * surface.reference_length(e) / 4);
+        }
+    return sagittas;
+  }
+
+
+
   namespace
   {
-    /// By how much each facet may be beside the surface that it stands for, by
-    /// the angles between the facets that meet smoothly at its nodes, as drawn:
-    /// the sagitta. Corners and ends stand for themselves.
-    template<int dim>
-    std::vector<double> sagittas(const DeformedSurface<dim> &drawn)
-    {
-      const Surface<dim> &surface = drawn.surface;
-      const auto         &means   = drawn.facet_normals();
-      std::vector<double> sagittas(surface.facets.size(), 0.);
-      for (unsigned int e = 0; e < surface.facets.size(); ++e)
-        for (unsigned int a = 0; a < surface.facets[e].n_nodes(); ++a)
-          {
-            const double cosine =
-              std::clamp(drawn.normal(e, surface.facets[e].kind->places[a]) *
-                           means[e][a],
-                         -1.,
-                         1.);
-            sagittas[e] =
-              std::max(sagittas[e],
-                       2 * std::acos(cosine) * surface.reference_length(e) / 4);
-          }
-      return sagittas;
-    }
-
-
-
     /// The largest displacement of a node [mm].
     template<int dim>
     double largest_way(const DeformedSurface<dim> &now)
@@ -268,6 +265,8 @@ namespace Contact
     return deepest;
   }
 
+  template std::vector<double> sagittas(const DeformedSurface<2> &);
+  template std::vector<double> sagittas(const DeformedSurface<3> &);
   template ContactDepth<2>
   largest_depth(const ContactPair<2> &, const GhostedVector &, const DepthOf);
   template ContactDepth<3>

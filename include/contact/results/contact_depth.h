@@ -30,6 +30,12 @@ namespace Contact
     }
   };
 
+  /// By how much each facet may be beside the curve that it stands for [mm]: a
+  /// bound, twice the sagitta, by the angles between the facets that meet
+  /// smoothly at its nodes, as drawn. Corners and ends stand for themselves.
+  template<int dim>
+  std::vector<double> sagittas(const DeformedSurface<dim> &drawn);
+
   /// The part of a depth that counts: all of it as drawn, that beyond what
   /// facets are beside their curves, or of this no more than bodies have moved.
   enum class DepthOf
