@@ -8,8 +8,9 @@ that do not fit together are a remark, with a result and without one, and a viol
 invariant where edges in small strain change by half of their length; that where
 two attempts end on their way the results of the first one are kept, and the
 summary tells of both; that --restart of a run that has converged is an error that
-leaves its results; that the remedy for a rigid boundary that meets the slave
-depends on how much of it they share.
+leaves its results; that bodies which bend are too stiff, yielding or not, and that
+polygons stand for curves, is said; that the remedy for a rigid boundary that meets
+the slave depends on how much of it they share.
 
 Usage: remarks.py CONTACT
 """
@@ -19,7 +20,7 @@ import pathlib
 import subprocess
 import sys
 
-from block_scenes import Mesh, box, check, contact, failures, run, solve
+from block_scenes import Mesh, box, check, contact, failures, ring, run, solve
 
 mesh = Mesh()
 mesh.block("Foundation", 12, 4, box(-3, -2, 3, 0),
@@ -101,6 +102,42 @@ check("two attempts", status == 3 and 0.25 <= reached <= 0.5 and
 status, said, summary = solve(case)
 check("a run that converges leaves no first attempt",
       status == 0 and not kept.exists(), said)
+
+# A beam of one cell across, elastic and yielding, beside one that nothing bends.
+beam = Mesh()
+beam.block("Beam", 10, 1, box(0, 0, 20, 1), {"left": "Held", "right": "End"})
+beam.block("Other", 10, 1, box(0, 5, 20, 6), {"left": "Kept"})
+beam.write("beam")
+bent = {"Mesh/File": "beam.msh", "Element/Degree": 1,
+        "Solids/Young's modulus": "Beam: 1000, Other: 1000",
+        "Solids/Poisson's ratio": "Beam: 0.3, Other: 0.3",
+        "Solids/Kinematics": "small strain",
+        "Boundary conditions/Displacement x": "Held: 0, Kept: 0",
+        "Boundary conditions/Displacement y": "Held: 0, End: -1, Kept: 0"}
+for what, more, remedy in (
+        ("an elastic beam", {}, "or 'Incompatible modes = Beam'"),
+        ("one that yields", {"Solids/Yield stress": "Beam: 5"}, "Set 'Degree = 2'")):
+    status, said, summary = run("beam", {**bent, **more})
+    found = [t for t in texts(summary) if "too stiff in bending" in t]
+    check(f"{what} is too stiff, and the other is not", status == 0 and
+          len(found) == 1 and "'Beam'" in found[0] and found[0].endswith(remedy),
+          (said, found))
+
+# A polygon of 24 sides in one of 20, with and without a name of the circle.
+polygons = Mesh()
+polygons.block("Hub", 20, 2, ring(10, 20), {"bottom": "Bore", "top": "Rim"}, closed=True)
+polygons.block("Shaft", 24, 2, ring(4, 10), {"bottom": "Core", "top": "Seat"}, closed=True)
+polygons.write("polygons")
+for what, more in (("", {}), (", named", {"Mesh/Arcs": "Bore: 0, 0, 10; Seat: 0, 0, 10"})):
+    status, said, summary = run("polygons", {
+        "Mesh/File": "polygons.msh", "Element/Degree": 1,
+        "Solids/Young's modulus": "Hub: 1000, Shaft: 1000",
+        "Solids/Poisson's ratio": "Hub: 0.3, Shaft: 0.3",
+        "Boundary conditions/Displacement x": "Rim: 0, Core: 0",
+        "Boundary conditions/Displacement y": "Rim: 0, Core: -0.1",
+        "Contact/Slave": "Bore", "Contact/Master": "Seat", **more})
+    check(f"polygons that stand for a circle{what}", status in (0, 1) and any(
+        "mm off their circles where they touch" in t for t in texts(summary)), said)
 
 for boundary, remedy in (("Side", "let the slave end before the rigid boundary"),
                          ("Sole", "take the rigid surface as master")):

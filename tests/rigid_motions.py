@@ -15,12 +15,16 @@ Proves that
   forces are W/(2 cos 45 degrees), wherever the way there is long;
 - a body that turns further than small strain can mean ends the run, which says
   so; with large displacements it does not;
+- of the rollers of a bearing those below carry a force that moves the inner ring,
+  as Palmgren's formula has it, and loose ones beside them cost four attempts at
+  most;
 - width is the length of all patches; nodes.csv has forces in balance.
 
 Usage: rigid_motions.py CONTACT PARAMETERS MESHES
 """
 
 import math
+import pathlib
 import sys
 
 from block_scenes import Mesh, box, check, failures, ring, rows, run
@@ -266,7 +270,77 @@ def patches():
         check("contact is four wide", abs(width - 4) < 1e-9, str(width))
 
 
-for scene in (pieces, joints, rings, pins, lever, patches):
+def bearing():
+    """Rollers between two rings, of which the inner one is pushed down: that
+    below, one on either side, and one above that carries nothing."""
+    lines = []
+
+    def circle(name, x, y, r):
+        first = 10 * len(lines)
+        lines.append(f"Point({first}) = {{{x!r}, {y!r}, 0}};")
+        for k, (a, b) in enumerate(((1, 0), (0, 1), (-1, 0), (0, -1)), first + 1):
+            lines[-1] += f" Point({k}) = {{{x + r * a!r}, {y + r * b!r}, 0}};"
+        arcs = []
+        for k in range(4):
+            arcs.append(first + 1 + k)
+            lines[-1] += (f" Circle({arcs[-1]}) = {{{first + 1 + k}, {first}, "
+                          f"{first + 1 + (k + 1) % 4}}};")
+        lines[-1] += (f" Curve Loop({first + 1}) = {{{str(arcs)[1:-1]}}};"
+                      f' Physical Curve("{name}") = {{{str(arcs)[1:-1]}}};')
+        return first + 1
+
+    rings = [(name, circle(name, 0., 0., r)) for name, r in (
+        ("Housing", 48), ("Race", 40), ("Track", 24), ("Bore", 15))]
+    rollers, round_ones = {}, ["Race: 0, 0, 40", "Track: 0, 0, 24"]
+    for k in (0, 1, 2, 4):
+        angle = math.radians(72 * k - 90)
+        x, y = 32 * math.cos(angle), 32 * math.sin(angle)
+        rollers[k] = circle(f"S{k}", x, y, 8)
+        round_ones.append(f"S{k}: {x!r}, {y!r}, 8")
+    for name, loops in [("Outer", [rings[0][1], rings[1][1]]),
+                        ("Inner", [rings[2][1], rings[3][1]])] + [
+                            (f"R{k}", [loop]) for k, loop in rollers.items()]:
+        lines.append(f"Plane Surface({loops[0]}) = {{{str(loops)[1:-1]}}}; "
+                     f'Physical Surface("{name}") = {{{loops[0]}}};')
+    touching = []
+    for k, r in ((k, r) for k in rollers for r in (24, 40)):
+        angle = math.radians(72 * k - 90)
+        touching.append(9000 + len(touching))
+        lines.append(f"Point({touching[-1]}) = {{{r * math.cos(angle)!r}, "
+                     f"{r * math.sin(angle)!r}, 0}};")
+    lines += ["Mesh.RecombineAll = 1; Mesh.MeshSizeMax = 4;",
+              f"Field[1] = Distance; Field[1].PointsList = {{{str(touching)[1:-1]}}};",
+              'Field[2] = MathEval; Field[2].F = "0.15 + 0.3*F1";',
+              "Background Field = 2;", ""]
+    pathlib.Path("bearing.geo").write_text("\n".join(lines))
+    bodies = ["Outer", "Inner", *(f"R{k}" for k in rollers)]
+    entries = {
+        "Mesh/File": "bearing.geo", "Element/Degree": 1,
+        "Mesh/Arcs": "; ".join(round_ones), "Mesh/Points": "Low in Inner: 15, 0",
+        "Solids/Young's modulus": ", ".join(f"{b}: 210000" for b in bodies),
+        "Solids/Poisson's ratio": ", ".join(f"{b}: 0.3" for b in bodies),
+        "Boundary conditions/Displacement x": "Housing: 0, Bore: 0",
+        "Boundary conditions/Displacement y": "Housing: 0",
+        "Boundary conditions/Tied y": "Bore: Low",
+        "Boundary conditions/Resultant force y": "Bore: -500"}
+    for k in rollers:
+        for name, master in (("outer", "Race"), ("inner", "Track")):
+            entries.update({f"Contact {name} {k}/Slave": f"S{k}",
+                            f"Contact {name} {k}/Master": master,
+                            f"Contact {name} {k}/Friction coefficient": 0.01})
+    status, said, summary = run("bearing", entries)
+    check("the rollers of a bearing", status == 0, said[-500:])
+    if status == 0:
+        last = summary["increments"][-1]
+        below = last["contact outer 0"]["normal_force"]
+        palmgren = 500 / (1 + 2 * math.cos(math.radians(72)) ** (19 / 9))
+        check("  the force on that below", abs(below / palmgren - 1) < 0.01,
+              f"{below} {palmgren}")
+        check("  few attempts", len(summary["increments"]) <= 4,
+              [(i["load_factor"], i["converged"]) for i in summary["increments"]])
+
+
+for scene in (pieces, joints, rings, pins, lever, patches, bearing):
     print(scene.__name__)
     scene()
 sys.exit(len(failures) > 0)
