@@ -116,7 +116,9 @@ bent = {"Mesh/File": "beam.msh", "Element/Degree": 1,
         "Boundary conditions/Displacement y": "Held: 0, End: -1, Kept: 0"}
 for what, more, remedy in (
         ("an elastic beam", {}, "or 'Incompatible modes = Beam'"),
-        ("one that yields", {"Solids/Yield stress": "Beam: 5"}, "Set 'Degree = 2'")):
+        ("one that yields", {"Solids/Yield stress": "Beam: 5",
+                             "Solids/Material": "Beam: elastic-plastic"},
+         "Set 'Degree = 2'")):
     status, said, summary = run("beam", {**bent, **more})
     found = [t for t in texts(summary) if "too stiff in bending" in t]
     check(f"{what} is too stiff, and the other is not", status == 0 and
