@@ -210,7 +210,7 @@ def ellipses():
 
     def area(more, ranks=1):
         status, said, summary = run("ellipses", {
-            "Mesh/File": "ellipses.msh", "Solids/Young's modulus": "A: 1",
+            "Mesh/File": "ellipses.msh", "Solids/Young's modulus": "A: 1e4",
             "Solids/Poisson's ratio": "A: 0.3",
             "Solids/Kinematics": "small strain", "Element/Degree": 2,
             "Boundary conditions/Displacement x": "y0: 0",

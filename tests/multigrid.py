@@ -82,8 +82,8 @@ both("8 nodes, hanging nodes", "nested_adaptive", "Refinement/Levels=4", NO_CENT
      ranks=(1, 2))
 both("20 nodes", "nested_space", "Refinement/Levels=1", "Element/Degree=2", NO_CENTRE,
      ranks=(1, 2))
-both("20 nodes, friction, hanging nodes", "nested_space_friction", "Element/Degree=2",
-     "Refinement/Levels=1", "Refinement/Strategy=adaptive", NO_CENTRE, ranks=(1, 2))
+both("20 nodes, hanging nodes", "nested_space", "Element/Degree=2", NO_CENTRE,
+     "Refinement/Levels=1", "Refinement/Strategy=adaptive", ranks=(1, 2))
 both("degree 1", "nested", "Refinement/Levels=3", "Element/Degree=1",
      "Element/Centre node=serendipity")
 space = both("space", "nested_space", "Refinement/Levels=1", "Element/Degree=2",

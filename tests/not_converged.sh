@@ -81,7 +81,7 @@ hands_over() {
   fi
 }
 
-hands_over "the friction loop ends" "$2/hard/pin_play.prm" nodal \
+hands_over "no solution" "$2/hard/pin_play.prm" nodal \
   "Solution/Friction=fixed point"
 hands_over "no solution" "$2/hard/pin_play.prm" mortar \
   "Solution/System=condensed"
