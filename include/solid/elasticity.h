@@ -255,7 +255,7 @@ namespace Contact
     std::vector<unsigned int> yielding(const std::vector<unsigned int> &chosen,
                                        const GhostedVector &u) const;
 
-    /// Why results are much too stiff, and meshes agree on them: triangles of
+    /// The reason for much too stiff results that meshes agree on: triangles of
     /// degree 1 lock in a body that hardly changes its volume, but in plane
     /// stress. A sentence, or nothing. Collective.
     std::string locking() const;

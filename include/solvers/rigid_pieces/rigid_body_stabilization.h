@@ -56,9 +56,9 @@ namespace Contact
     /// unknown [N per mm of thickness]; none if nothing was held. Collective.
     GhostedVector release(const IncrementState<dim> &state);
 
-    /// Where bodies on soft springs go astray, take stiffer ones, which need
-    /// more iterations for a long way; where those fail as well, soft ones in
-    /// smaller steps. Returns whether they are stiffer now.
+    /// Stiffer springs after soft ones, on which bodies have gone astray: a
+    /// long way takes more iterations on these. After stiffer ones soft ones,
+    /// for smaller steps. Returns whether they are stiffer now.
     bool stiffen()
     {
       is_stiff = !is_stiff && !held.empty();
