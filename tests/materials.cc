@@ -103,10 +103,10 @@ namespace
   void check_bodies(const std::string &what, Parameters::All parameters)
   {
     const std::string large = "elastic-plastic, large strain";
-    for (const std::string material : {std::string("elastic-plastic"),
-                                       large,
-                                       std::string("neo-Hookean"),
-                                       std::string("Mooney-Rivlin")})
+    for (const std::string &material : {std::string("elastic-plastic"),
+                                        large,
+                                        std::string("neo-Hookean"),
+                                        std::string("Mooney-Rivlin")})
       for (const std::string dilatation : {"full", "B-bar"})
         {
           headline(what + ", " + material + ", " + dilatation);
