@@ -354,6 +354,8 @@ def groups_of_nodes():
             ("excluded points", "Contact/Excluded points", "P, S", "Ends", 1),
             ("an excluded curve", "Contact/Excluded points", "R, S", "Toe", 1),
             ("excluded, degree 2", "Contact/Excluded points", "P, S", "Ends", 2),
+            ("a curve and one of its points", "Contact/Excluded points", "R, S",
+             "Toe, S", 1),
             ("held points", "Boundary conditions/Displacement x",
              "Base: 0, Head: 0.01, P: 0.002, S: 0.002",
              "Base: 0, Head: 0.01, Ends: 0.002", 1)):

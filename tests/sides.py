@@ -32,7 +32,7 @@ from block_scenes import check, failures
 from sides_scenes import INCREMENTS, Body, Scene, divided, turn
 
 MOST_STEPS = 60  # of Newton's method, an increment
-SLOW = {"teeth": 120, "step": 120}  # where sticking and slipping take turns
+SLOW = {"teeth": 120}  # where sticking and slipping take turns
 # Of the error of the meshes, for the difference between the roles.
 PART_OF_ERROR = 0.1
 PRESS, PUSH = "min(1,2*t)", "max(0,2*t-1)"

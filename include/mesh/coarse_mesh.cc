@@ -6,6 +6,7 @@
 #include "mesh/coarse_mesh.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "base/dimension.h"
@@ -328,15 +329,25 @@ namespace Contact
 
 
 
+    // A group with nodes in the middle of edges is left out: its other nodes
+    // alone are another one.
     std::map<std::string, std::vector<unsigned int>>
     find_points(const MshFile &msh, const VertexNumbers &vertices)
     {
-      std::map<std::string, std::vector<unsigned int>> points;
+      std::map<std::string, std::set<unsigned int>> found;
+      std::set<std::string>                         incomplete;
       for (const auto &element : msh.elements[0])
-        if (const auto vertex = vertices.find(element.nodes[0]);
-            vertex != vertices.end())
-          for (const std::string &group : element.groups)
-            points[group].push_back(vertex->second);
+        for (const std::string &group : element.groups)
+          if (const auto vertex = vertices.find(element.nodes[0]);
+              vertex != vertices.end())
+            found[group].insert(vertex->second);
+          else
+            incomplete.insert(group);
+
+      std::map<std::string, std::vector<unsigned int>> points;
+      for (const auto &[group, corners] : found)
+        if (incomplete.count(group) == 0)
+          points.try_emplace(group, corners.begin(), corners.end());
       return points;
     }
   } // namespace

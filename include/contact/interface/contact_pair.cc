@@ -208,15 +208,16 @@ namespace Contact
     for (unsigned int i = 0; i < slave.nodes.size(); ++i)
       if (of_group.count(slave.nodes[i].dofs) > 0)
         here.insert(i);
-    const std::size_t n_before = excluded.size();
-    for (const auto &of_rank :
+    std::set<unsigned int> of_all_ranks;
+    for (auto &of_rank :
          Utilities::MPI::all_gather(discretization.communicator, here))
-      excluded.insert(of_rank.begin(), of_rank.end());
-    if (excluded.size() == n_before)
+      of_all_ranks.merge(of_rank);
+    if (of_all_ranks.empty())
       throw InputError("no node of '" + group + "' is on the slave '" +
-                         parameters.slave + "', or all are excluded already",
+                         parameters.slave + "'",
                        "entry '" + entry + "'",
                        "name a group of its nodes, or leave it out");
+    excluded.merge(of_all_ranks);
   }
 
 

@@ -89,6 +89,12 @@ namespace Contact
       return newton_tolerance;
     }
 
+    /// D [mm].
+    double size_of_bodies() const
+    {
+      return size;
+    }
+
     bool has_converged() const
     {
       return residual() <= newton_tolerance;

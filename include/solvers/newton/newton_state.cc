@@ -95,8 +95,7 @@ namespace Contact
       TimerOutput::Scope scope(timer, "residual");
       smallest_volume = smallest_of_all_ranks(evaluate_bodies(), communicator);
     }
-    // No state of the bodies: surfaces may be anywhere, and take long to pair.
-    if (n_steps > 0 && smallest_volume.is_inside_out())
+    if (is_astray())
       {
         convergence.evaluate(rhs, state);
         return;

@@ -99,6 +99,15 @@ namespace Contact
     unsigned int     update_status(const bool single_changes);
     VolumeRatio<dim> evaluate_bodies();
 
+    /// Whether the last step turned a cell inside out and went further than
+    /// the bodies are large: half of it follows, and surfaces that may be
+    /// anywhere take long to pair. Collective.
+    bool is_astray() const
+    {
+      return n_steps > 0 && smallest_volume.is_inside_out() &&
+             state.largest_change(model, last) > convergence.size_of_bodies();
+    }
+
     /// Pair the open points that have kept an earlier pairing. Returns whether
     /// one of them is to close.
     bool close_in_full_pairing();
