@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
 
 #include "base/errors.h"
 #include "mesh/mixed_cells.h"
+#include "parameters/formula.h"
 
 namespace Contact
 {
@@ -162,8 +164,14 @@ namespace Contact
 
 
 
-    /// Give each body the group of its outer faces.
-    void name_outer_surfaces(MshFile &msh)
+    /// Whether a face belongs to a new group.
+    using IsIn = std::function<bool(const OuterFace &)>;
+
+    /// Add groups of outer faces; of each name there must be none.
+    void add_groups(MshFile                           &msh,
+                    const OuterFaces                  &faces,
+                    const std::map<std::string, IsIn> &groups,
+                    const std::string                 &remedy)
     {
       auto &elements = msh.elements[msh.dimension() - 1];
       std::map<std::vector<long>, std::size_t> known;
@@ -173,19 +181,79 @@ namespace Contact
       for (const auto &element : elements)
         names.insert(element.groups.begin(), element.groups.end());
 
-      for (const auto &[key, face] : outer_faces(msh))
+      for (const auto &[name, is_in] : groups)
         {
-          const std::string name = surface_of(face.body);
           if (names.count(name) > 0)
-            throw InputError(
-              "there is a group '" + name + "' already",
-              msh.name,
-              "rename it: with 'Surfaces = automatic' that is the "
-              "name of all faces of a body");
-          if (const auto found = known.find(key); found != known.end())
-            elements[found->second].groups.insert(name);
-          else
-            elements.push_back({0, face.nodes, {name}});
+            throw InputError("there is a group '" + name + "' already",
+                             msh.name,
+                             remedy);
+          for (const auto &[key, face] : faces)
+            if (is_in(face))
+              {
+                if (const auto found = known.find(key); found != known.end())
+                  elements[found->second].groups.insert(name);
+                else
+                  {
+                    known[key] = elements.size();
+                    elements.push_back({0, face.nodes, {name}});
+                  }
+              }
+        }
+    }
+
+
+
+    /// Give each body the group of its outer faces.
+    void name_outer_surfaces(MshFile &msh)
+    {
+      const auto                  faces = outer_faces(msh);
+      std::map<std::string, IsIn> groups;
+      for (const auto &[key, face] : faces)
+        groups[surface_of(face.body)] = [body = face.body](const auto &other) {
+          return other.body == body;
+        };
+      add_groups(msh,
+                 faces,
+                 groups,
+                 "rename it: with 'Surfaces = automatic' that is the name of "
+                 "all faces of a body");
+    }
+
+
+
+    /// Name outer faces by a condition of their corners. Throws InputError if
+    /// there is none.
+    void name_by_place(MshFile                                  &msh,
+                       const std::map<std::string, std::string> &boundaries)
+    {
+      if (boundaries.empty())
+        return;
+      const std::string entry = "Mesh/Faces", in = " in ";
+      const auto        faces = outer_faces(msh);
+      for (const auto &[name, condition] : boundaries)
+        {
+          const auto        at = name.find(in);
+          const std::string body =
+            at == std::string::npos ? "" : name.substr(at + in.size());
+          const auto meets = parse_formula<3>(condition, "x,y,z", entry);
+          const IsIn is_in = [&](const OuterFace &face) {
+            return (body.empty() || face.body == body) &&
+                   std::all_of(face.nodes.begin(),
+                               face.nodes.end(),
+                               [&](const long node) {
+                                 return meets(msh.nodes.at(node)) > 0;
+                               });
+          };
+          if (std::none_of(faces.begin(), faces.end(), [&](const auto &face) {
+                return is_in(face.second);
+              }))
+            throw InputError("no outer face has all of its corners where '" +
+                               condition + "'",
+                             "entry '" + entry + "', '" + name + "'",
+                             "leave room for round-off, as in 'y > 9.99' or "
+                             "'abs(x) < 0.01'; coordinates are those of the "
+                             "file");
+          add_groups(msh, faces, {{name.substr(0, at), is_in}}, "rename it");
         }
     }
 
@@ -209,6 +277,7 @@ namespace Contact
   MshFile read_with_surfaces(const Parameters::Mesh &parameters)
   {
     MshFile msh = read_msh(parameters.file);
+    name_by_place(msh, parameters.boundaries);
     if (parameters.has_outer_surfaces)
       name_outer_surfaces(msh);
     return msh;
@@ -225,7 +294,7 @@ namespace Contact
       throw InputError("the axis would be a surface of rings",
                        "entry '" + section->section() + "/Surfaces'",
                        "name slave and master");
-    const MshFile    msh      = read_msh(parameters.mesh.file);
+    const MshFile    msh      = read_with_surfaces(parameters.mesh);
     const OuterFaces faces    = outer_faces(msh);
     const auto       surfaces = surfaces_of(msh, faces);
     const auto       named    = paired_by_name(parameters, msh, faces);

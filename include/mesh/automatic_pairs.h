@@ -11,10 +11,10 @@
 
 namespace Contact
 {
-  /// Read the mesh file. If it has to have outer surfaces each body NAME has
-  /// the group "NAME surface" of all faces that bound it; those between bodies
-  /// that share their nodes bound none. Throws InputError if there is such a
-  /// group.
+  /// Read the mesh file, and name its boundaries by place. If it has to have
+  /// outer surfaces each body NAME has the group "NAME surface" of all faces
+  /// that bound it; those between bodies that share their nodes bound none.
+  /// Throws InputError if there is such a group.
   MshFile read_with_surfaces(const Parameters::Mesh &parameters);
 
   /**

@@ -72,6 +72,13 @@ namespace Contact
 
 
 
+  void check_place_formula(const std::string &formula, const std::string &entry)
+  {
+    check_formula<3>(formula, "x,y,z", entry);
+  }
+
+
+
   void check_history(const std::string &history, const std::string &entry)
   {
     if (!is_table(history))
@@ -130,7 +137,7 @@ namespace Contact
       const auto check_formulas = [&](const auto        &formulas,
                                       const std::string &entry) {
         for (const auto &[group, formula] : formulas)
-          check_formula<3>(formula, "x,y,z", section + entry);
+          check_place_formula(formula, section + entry);
       };
       check_formulas(pressure, "Pressure");
       for (unsigned int c = 0; c < 3; ++c)

@@ -28,6 +28,8 @@ namespace Contact
         throw EntryError("There is no mesh.",
                          {"Mesh/File"},
                          "set 'File' in section 'Mesh' to a gmsh file");
+      for (const auto &[name, condition] : boundaries)
+        check_place_formula(condition, "Mesh/Faces");
       check_round_surfaces();
     }
 

@@ -122,11 +122,14 @@ namespace Contact
         throw EntryError("Contact takes two surfaces, but there is only one.",
                          surfaces,
                          "set both, or none for a case without contact");
-      if (!slave.empty() && slave == master)
-        throw EntryError("The slave and the master are both " +
-                           in_quotes(slave) + ".",
+      if (is_with_itself() &&
+          (tied || discretization == ContactDiscretization::gauss))
+        throw EntryError("A surface is in contact with itself, " +
+                           in_quotes(slave) +
+                           ", and glued, or paired in Gauss points.",
                          surfaces,
-                         "set two different boundary groups");
+                         "set two different boundary groups, or "
+                         "'Discretization = mortar' or 'nodal' without glue");
       if (slave.empty() && !name.empty())
         throw EntryError("A contact pair has no surfaces.",
                          surfaces,

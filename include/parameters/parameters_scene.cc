@@ -14,6 +14,21 @@ namespace Contact
 {
   namespace Parameters
   {
+    namespace
+    {
+      /// Formulas by name, separated by semicolons: there are commas in them.
+      Patterns::Map formulas()
+      {
+        return {Patterns::Anything(),
+                Patterns::Anything(),
+                0,
+                Patterns::Map::max_int_value,
+                ";"};
+      }
+    } // namespace
+
+
+
     void Mesh::add_parameters(ParameterHandler &prm)
     {
       prm.enter_subsection("Mesh");
@@ -62,6 +77,14 @@ namespace Contact
                         groups,
                         "Boundary groups made of others: 'name: group, group', "
                         "separated by ';' [-].");
+      prm.add_parameter("Faces",
+                        boundaries,
+                        "Names for outer faces by their place: 'name: "
+                        "condition', separated by ';', as 'Top: y > 9.99' or "
+                        "'Bore: x^2 + y^2 < 25.1'. All corners of a face meet "
+                        "the condition, in the coordinates of the file [mm]; "
+                        "'name in body: condition' for those of one body.",
+                        formulas());
       prm.add_parameter("Points",
                         points,
                         "Names for places: 'name: x, y', of volumes 'x, y, z' "
@@ -336,11 +359,6 @@ namespace Contact
     // Entries that vary over a group, or with the load.
     void Boundary::add_formulas(ParameterHandler &prm)
     {
-      const Patterns::Map formulas(Patterns::Anything(),
-                                   Patterns::Anything(),
-                                   0,
-                                   Patterns::Map::max_int_value,
-                                   ";");
       prm.add_parameter("Pressure",
                         pressure,
                         "'boundary: formula' [MPa], separated by ';'; a "
@@ -350,7 +368,7 @@ namespace Contact
                         "undeformed boundary. In all formulas x, y and z are "
                         "coordinates after Mesh/Move, Scale, Rotation and "
                         "Shift.",
-                        formulas);
+                        formulas());
       add_by_direction(prm,
                        "Displacement formula",
                        displacement_formula,
@@ -359,7 +377,7 @@ namespace Contact
                        "of volumes z [mm], and the load factor t from 0 to 1, "
                        "such as '-0.01*t*y'. It has no history beside.",
                        "[mm]",
-                       formulas);
+                       formulas());
       add_by_direction(prm,
                        "Traction",
                        traction,
@@ -367,7 +385,7 @@ namespace Contact
                        "boundary group and the force on it by undeformed area "
                        "at full load, a formula as that of a pressure [mm].",
                        "[MPa]",
-                       formulas);
+                       formulas());
       add_by_direction(prm,
                        "Body force",
                        body_force,
@@ -376,7 +394,7 @@ namespace Contact
                        "formula as that of a pressure [mm]; weight is -density "
                        "times gravity, of steel -7.7e-5.",
                        "[N/mm^3]",
-                       formulas);
+                       formulas());
       prm.add_parameter("Histories",
                         histories,
                         "'entry: formula' [-], separated by ';'; an entry of "
@@ -385,7 +403,7 @@ namespace Contact
                         "'Force y: min(1, 2*t)', or as a table of t and the "
                         "factor, linear in between and constant beyond, as in "
                         "'Force y: table(0 0, 0.5 1, 1 -1)'. Without: t.",
-                        formulas);
+                        formulas());
     }
   } // namespace Parameters
 } // namespace Contact

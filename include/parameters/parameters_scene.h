@@ -41,6 +41,10 @@ namespace Contact
   /// Check a history, see parse_history(). Throws EntryError.
   void check_history(const std::string &history, const std::string &entry);
 
+  /// The same for a formula of the place.
+  void check_place_formula(const std::string &formula,
+                           const std::string &entry);
+
 
 
   /**
@@ -89,6 +93,10 @@ namespace Contact
 
       /// Boundary group -> those that it is made of.
       std::map<std::string, std::vector<std::string>> groups;
+
+      /// Boundary group -> the condition that the corners of its faces meet, in
+      /// the coordinates of the file.
+      std::map<std::string, std::string> boundaries;
 
       /// A name for the node at {x, y} or {x, y, z} [mm], in the coordinates
       /// of the file.
@@ -354,6 +362,11 @@ namespace Contact
       bool is_pair() const
       {
         return !slave.empty();
+      }
+
+      bool is_with_itself() const
+      {
+        return is_pair() && slave == master;
       }
 
       bool is_automatic() const

@@ -351,9 +351,17 @@ namespace Contact
                                              unknowns.begin() +
                                                dim * point.n_nodes);
     std::sort(own.begin(), own.end());
+    const std::size_t n = unknowns.size();
     for (const auto dof : point.change.dofs)
       if (!std::binary_search(own.begin(), own.end(), dof))
         unknowns.push_back(dof);
+    // A node may be on both sides of a surface in contact with itself.
+    if (contact_pair(point).itself)
+      {
+        std::sort(unknowns.begin() + n, unknowns.end());
+        unknowns.erase(std::unique(unknowns.begin() + n, unknowns.end()),
+                       unknowns.end());
+      }
     return unknowns;
   }
 

@@ -168,7 +168,9 @@ namespace Contact
     , parameters(parameters)
   {
     const std::string section = parameters.section();
-    if (master)
+    if (parameters.is_with_itself())
+      itself.emplace(slave, *master);
+    else if (master)
       {
         check_surfaces(slave, *master, discretization, parameters);
         surfaces_of_bodies = {{{&slave}, {&*master}}};
@@ -184,7 +186,7 @@ namespace Contact
     const bool is_mortar =
       master &&
       parameters.discretization == Parameters::ContactDiscretization::mortar;
-    if (is_mortar && !tied)
+    if (is_mortar && !tied && !itself)
       excluded.merge(nodes_held_with_master(slave, *master, discretization));
     // Over a ring, the shape function of degree 2 of a node on the axis has the
     // integral zero: it has no dual function.
@@ -233,7 +235,8 @@ namespace Contact
   bool ContactPair<dim>::can_have_corner_points() const
   {
     const bool sees_vertices = dim == 3 && is_mortar();
-    return master && !tied && has_point_per_multiplier() && !sees_vertices;
+    return master && !tied && !itself && has_point_per_multiplier() &&
+           !sees_vertices;
   }
 
 
@@ -405,18 +408,6 @@ namespace Contact
   }
 
 
-
-  template<int dim>
-  Point<dim> ContactPair<dim>::place(const ContactPoint<dim> &point) const
-  {
-    const Surface<dim>      &own   = surface_of(point);
-    const SurfaceFacet<dim> &facet = own.facets[point.slave_facet];
-    const auto values = FacetShape<dim>::values(*facet.kind, point.slave_xi);
-    Point<dim> X;
-    for (unsigned int a = 0; a < facet.n_nodes(); ++a)
-      X += values[a] * own.nodes[facet.nodes[a]].X;
-    return X;
-  }
 
   template<int dim>
   Point<dim>

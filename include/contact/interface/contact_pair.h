@@ -84,6 +84,9 @@ namespace Contact
     };
     const std::unique_ptr<Interference> interference;
 
+    /// Of a surface that is slave and master alike.
+    std::optional<SelfContact<dim>> itself;
+
     /// Motions that follow from forces, and the number of the first one among
     /// those of all contact pairs.
     std::vector<std::unique_ptr<FreeMotion>> free_motions;
@@ -205,7 +208,11 @@ namespace Contact
     Point<dim> place_of_facets(const ContactPoint<dim> &point) const;
 
     /// The undeformed place of a point [mm].
-    Point<dim> place(const ContactPoint<dim> &point) const;
+    Point<dim> place(const ContactPoint<dim> &point) const
+    {
+      return surface_of(point).reference_place(point.slave_facet,
+                                               point.slave_xi);
+    }
 
   private:
     NormalCone<dim> directions(const ContactPoint<dim>    &point,

@@ -56,11 +56,13 @@ namespace Contact
     PairingMode of_mortar = mode;
     if (interference->added() != 0)
       of_mortar.keeps_open_points = of_mortar.leaves_far_points = false;
-    const auto of_discretization = part(0, n_of_discretization);
-    bool       changed =
-      mortar
-              ? mortar->pair(of_discretization, u, of_mortar, {surfaces_of_bodies, u})
-              : project(of_discretization, u, mode);
+    const auto             of_discretization = part(0, n_of_discretization);
+    const BodyOverlap<dim> bodies(surfaces_of_bodies,
+                                  u,
+                                  itself ? &*itself : nullptr);
+    bool                   changed = mortar
+                                       ? mortar->pair(of_discretization, u, of_mortar, bodies)
+                                       : project(of_discretization, u, mode);
     if (n_of_discretization < n_of_slave)
       changed =
         project(part(n_of_discretization, n_of_slave), u, mode) || changed;
@@ -152,16 +154,27 @@ namespace Contact
       }
 
     const DeformedSurface<dim> master_now(*master, u);
-    const BodyOverlap<dim>     bodies(surfaces_of_bodies, u);
+    const BodyOverlap<dim>     bodies(surfaces_of_bodies,
+                                  u,
+                                  itself ? &*itself : nullptr);
     bool                       changed = false;
     for (ContactPoint<dim> &point : points)
       {
         const auto      old_nodes = point.nodes;
         NormalCone<dim> here      = directions(point, now, u);
-        here.overlap              = [&](const auto &x, const auto &y) {
-          return bodies.is_between(x, 0, y);
+        here.overlap              = [&](const auto &x, const auto &other) {
+          return bodies.is_between(
+            {x, slave, point.slave_facet, point.slave_xi},
+            0,
+            other);
         };
+        if (itself)
+          here.partners = [&](const unsigned int facet) {
+            return bodies.may_face(point.slave_facet, facet);
+          };
         pair_with_master(point, here, master_now, discretization, u);
+        if (itself && !point.facing)
+          point.keep_nodes(point.n_slave_nodes);
         differentiate(point, u, mode);
         changed = changed || point.nodes != old_nodes;
 

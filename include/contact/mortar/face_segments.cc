@@ -175,7 +175,10 @@ namespace Contact
   {
     std::vector<Point<3>> x;
     NormalCone<3>         directions;
-    directions.normals = {now.slave_middles[e]};
+    directions.normals  = {now.slave_middles[e]};
+    directions.partners = [&](const unsigned int m) {
+      return bodies.may_face(e, m);
+    };
 
     double distance = 0;
     for (unsigned int a = 0; a < slave.facets[e].n_nodes(); ++a)
@@ -189,7 +192,7 @@ namespace Contact
     of_facet.clear();
     const SlaveFacet own(e, slave, now);
     for (const unsigned int m : now.search.facets_in(box))
-      if (directions.faces(now.master_middles[m]))
+      if (bodies.may_face(e, m) && directions.faces(now.master_middles[m]))
         add_segment(own, m);
     remove_far_sides(own);
     remove_hidden(own);
@@ -341,7 +344,12 @@ namespace Contact
     const auto is_far = [&](const FaceSample &sample) {
       const Point<3> x = place_of(sample, own);
       return sample.distance * own.normal > slack &&
-             !bodies.is_between(x, 0, x - sample.distance);
+             !bodies.is_between({x, slave, own.index, sample.slave_xi},
+                                0,
+                                {x - sample.distance,
+                                 master,
+                                 sample.master_facet,
+                                 sample.master_xi});
     };
     of_facet.erase(std::remove_if(of_facet.begin(), of_facet.end(), is_far),
                    of_facet.end());

@@ -139,7 +139,7 @@ namespace Contact
               left              = left || side >= 0;
               right             = right || side <= 0;
             }
-        if (left && right)
+        if (left && right && bodies.may_face(slave_facet, m))
           candidates.push_back(m);
       }
     return candidates;
@@ -229,7 +229,9 @@ namespace Contact
         Hit &hit = r * n >= 0 ? ahead : behind;
         if (std::abs(r * n) < hit.distance &&
             (-(r * n) <= slack ||
-             bodies.is_between(Point<2>(x), 0, Point<2>(x - r))))
+             bodies.is_between({Point<2>(x), now.slave, slave_facet, xi},
+                               0,
+                               {Point<2>(x - r), now.master, m, master_xi})))
           hit = {m,
                  std::abs(r * n),
                  direction.faces(search.normal(m, master_xi))};

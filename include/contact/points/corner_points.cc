@@ -125,8 +125,11 @@ namespace Contact
         // A slave edge beside the end of the master does not obstruct it.
         NormalCone<dim> directions = directions_of(corner, master);
         directions.at_end          = false;
-        directions.overlap         = [&](const auto &x, const auto &y) {
-          return bodies.is_between(x, 1, y);
+        directions.overlap         = [&](const auto &x, const auto &other) {
+          return bodies.is_between(
+            {x, master.surface, corner.slave_facet, corner.slave_xi},
+            1,
+            other);
         };
         corner.projection = Point<dim>();
         pair_with_master(corner, directions, slave, discretization, u);

@@ -11,22 +11,26 @@
 namespace Contact
 {
   template<int dim>
-  BodyOverlap<dim>::BodyOverlap(const Surfaces      &surfaces,
-                                const GhostedVector &u)
+  BodyOverlap<dim>::BodyOverlap(const Surfaces         &surfaces,
+                                const GhostedVector    &u,
+                                const SelfContact<dim> *itself)
     : surfaces(surfaces)
     , u(u)
+    , itself(itself)
   {
   }
 
 
 
   template<int dim>
-  bool BodyOverlap<dim>::is_between(const Point<dim>  &x,
-                                    const unsigned int of_x,
-                                    const Point<dim>  &y) const
+  bool BodyOverlap<dim>::is_between(const SurfacePlace<dim> &place,
+                                    const unsigned int       of_place,
+                                    const SurfacePlace<dim> &other) const
   {
-    const Point<dim> middle = x + 0.5 * (y - x);
-    return is_inside(x, 1 - of_x) && is_inside(y, of_x) &&
+    if (itself != nullptr)
+      return !SelfContact<dim>::are_back_to_back(place, other);
+    const Point<dim> middle = place.x + 0.5 * (other.x - place.x);
+    return is_inside(place.x, 1 - of_place) && is_inside(other.x, of_place) &&
            is_inside(middle, 0) && is_inside(middle, 1);
   }
 

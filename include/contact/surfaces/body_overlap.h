@@ -10,6 +10,7 @@
 #include <list>
 
 #include "contact/surfaces/deformed_surface.h"
+#include "contact/surfaces/self_contact.h"
 
 namespace Contact
 {
@@ -30,21 +31,32 @@ namespace Contact
     /// The known surfaces of two bodies.
     using Surfaces = std::array<std::vector<const Surface<dim> *>, 2>;
 
-    BodyOverlap(const Surfaces &surfaces, const GhostedVector &u);
+    BodyOverlap(const Surfaces         &surfaces,
+                const GhostedVector    &u,
+                const SelfContact<dim> *itself = nullptr);
 
-    /// Whether the bodies overlap between a place @p x of the body @p of_x and
-    /// a place @p y of the other one. Places no further outside of a body than
+    /// Whether a facet of the slave may face one of the master.
+    bool may_face(const unsigned int slave_facet,
+                  const unsigned int master_facet) const
+    {
+      return itself == nullptr || itself->may_face(slave_facet, master_facet);
+    }
+
+    /// Whether the bodies overlap between a place of the body @p of_x and a
+    /// place of the other one. Places no further outside of a body than
     /// DeformedSurface::overhang times the length of the closest facet, also
     /// beyond an end of its surfaces, count as inside.
-    bool is_between(const Point<dim>  &x,
-                    const unsigned int of_x,
-                    const Point<dim>  &y) const;
+    bool is_between(const SurfacePlace<dim> &place,
+                    const unsigned int       of_place,
+                    const SurfacePlace<dim> &other) const;
 
   private:
     bool is_inside(const Point<dim> &x, const unsigned int body) const;
 
     const Surfaces      &surfaces;
     const GhostedVector &u;
+
+    const SelfContact<dim> *const itself; // null: two bodies
 
     /// Made when they are first asked for.
     mutable std::array<std::list<DeformedSurface<dim>>, 2> deformed;

@@ -174,11 +174,13 @@ namespace Contact
     const auto accept = [&](const auto &is_direction) {
       return [&, is_direction](const Projection<dim> &candidate) {
         const Tensor<1, dim> n = normal(candidate.facet, candidate.xi);
-        if (!is_direction(n))
+        if (!is_direction(n) ||
+            (directions.partners && !directions.partners(candidate.facet)))
           return false;
         const Point<dim> y = position(candidate.facet, candidate.xi);
         return (y - x) * n <= directions.reach || !directions.overlap ||
-               directions.overlap(x, y);
+               directions.overlap(x,
+                                  {y, surface, candidate.facet, candidate.xi});
       };
     };
     const auto           &ranges = normal_ranges();

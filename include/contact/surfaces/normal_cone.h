@@ -9,7 +9,7 @@
 #include <functional>
 #include <limits>
 
-#include "contact/surfaces/surface.h"
+#include "contact/surfaces/self_contact.h"
 
 namespace Contact
 {
@@ -37,9 +37,13 @@ namespace Contact
     /// The distance beyond the end of a face up to which it looks [mm].
     double reach = std::numeric_limits<double>::max();
 
-    /// Whether the place @p x may be further than that behind a place @p y of a
-    /// face, as both bodies overlap there; it may if nothing is given.
-    std::function<bool(const Point<dim> &x, const Point<dim> &y)> overlap{};
+    /// Whether the place @p x may be further than that behind one of a face, as
+    /// both bodies overlap there; it may if nothing is given.
+    std::function<bool(const Point<dim> &x, const SurfacePlace<dim> &)>
+      overlap{};
+
+    /// Whether a facet comes into question; all do if nothing is given.
+    std::function<bool(const unsigned int)> partners{};
 
     /**
      * Faces whose normals are further from opposite than this do not face each

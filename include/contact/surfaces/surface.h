@@ -255,6 +255,17 @@ namespace Contact
     /// the node; else nothing.
     std::vector<PerFacetNode<dim, std::vector<unsigned int>>> parted;
 
+    /// The undeformed place of a facet [mm].
+    Point<dim> reference_place(const unsigned int     facet,
+                               const FacetPoint<dim> &xi) const
+    {
+      const auto values = FacetShape<dim>::values(*facets[facet].kind, xi);
+      Point<dim> X;
+      for (unsigned int a = 0; a < facets[facet].n_nodes(); ++a)
+        X += values[a] * nodes[facets[facet].nodes[a]].X;
+      return X;
+    }
+
     /// The size of a facet, undeformed [mm]: the distance of the ends of an
     /// edge, the shortest side of a triangle, the shorter one of the diagonals
     /// of a quadrangle by the root of two.

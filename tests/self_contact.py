@@ -1,0 +1,259 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A surface in contact with itself: one group is slave and master alike.
+
+Proves that
+
+- a thick ring that is squeezed until its inner wall lies on itself takes the force
+  of its half, whose inner wall comes to lie on a rigid plane, the mirror: within
+  1.5 %, and on a finer mesh within a quarter of that; of degree 1 and 2, nodal and
+  mortar, turned by 0 and 40 degrees, with two processes, and, mortar, in one
+  increment, in which the walls go through each other at first;
+- a hairpin whose legs are closed, with friction, takes the force of the same scene
+  with a group for each leg, one or the other as the slave, within 1e-6;
+- a strip in three layers, each on the next, takes that of the same scene with a group
+  for each side of each layer, within 1 %: both sides are in the one group, and what
+  is behind the strip is no partner;
+- a strip with both sides in the group that is bent touches nothing: the force of the
+  same scene without contact, within 1e-10;
+- in 3-D, without Poisson's ratio, ring and hairpin take the plane force times their
+  thickness, within 1 %;
+- what cannot be is refused with its reason.
+
+Usage: self_contact.py CONTACT
+"""
+
+import itertools
+import math
+import sys
+
+from block_scenes import Mesh, check, failures, run, violations
+from volume_scenes import layer
+
+LENGTH, RADIUS, HALF = 20., 1.5, .5  # of legs, of bends, of the thickness
+
+
+def turned(x, y, angle):
+    c, s = math.cos(angle), math.sin(angle)
+    return c * x - s * y, s * x + c * y
+
+
+def ring(name, whole, angle=0., n=32, m=2):
+    """Of radii 8 and 10, or its upper half; the middle third of its outer wall
+    above is Top, that below Bottom."""
+    mesh = Mesh()
+    n = n if whole else n // 2
+
+    def chart(s, t):
+        a = -2 * math.pi * s if whole else math.pi * (1 - s)
+        return turned((8 + 2 * t) * math.cos(a), (8 + 2 * t) * math.sin(a),
+                      angle)
+    cut = {} if whole else {"left": "Cut", "right": "Cut"}
+    mesh.block("Ring", n, m, chart, {"bottom": "Inner", **cut}, closed=whole)
+    columns = n if whole else n + 1
+    for i in range(n):
+        x, y = turned(*chart((i + .5) / n, 1), -angle)
+        if abs(x) < 2:
+            mesh.add(1, "Top" if y > 0 else "Bottom",
+                     [1 + m * columns + k % columns for k in (i, i + 1)])
+    mesh.write(name)
+
+
+def ring_entries(whole, angle=0., **more):
+    way = turned(0, -8.1, angle)
+    supports = {direction: f"Top: {a!r}" + (f", Bottom: {-a!r}" if whole else "")
+                for direction, a in zip("xy", way)}
+    if not whole:
+        supports["normal"] = "Cut: 0"
+    x, y = turned(0, 1, angle)
+    return {
+        "Mesh/File": "ring.msh", "Solids/Young's modulus": "Ring: 100",
+        "Solids/Poisson's ratio": "Ring: 0.3", "Contact/Slave": "Inner",
+        "Contact/Master" if whole else "Contact/Obstacle":
+            "Inner" if whole else f"half plane: 0, 0, {x!r}, {y!r}",
+        "Solution/Increments": 8, "Solution/Newton tolerance": 1e-10,
+        "Probes/Probes": "x: reaction x, Top; y: reaction y, Top",
+        **{f"Boundary conditions/Displacement {d}": value
+           for d, value in supports.items()}, **more}
+
+
+def serpentine(layers):
+    """The length of the middle line of a strip in layers, and its place and
+    direction by arc length."""
+    bend = math.pi * RADIUS
+
+    def at(s):
+        for k in range(layers):
+            way, y = (-1)**k, 2 * RADIUS * k
+            if s <= LENGTH or k == layers - 1:
+                return (s if way > 0 else LENGTH - s), y, way, 0.
+            s -= LENGTH
+            if s <= bend:
+                c, d = math.cos(s / RADIUS), math.sin(s / RADIUS)
+                return ((LENGTH if way > 0 else 0) + way * RADIUS * d,
+                        y + RADIUS * (1 - c), way * c, d)
+            s -= bend
+        raise ValueError(s)
+    return layers * LENGTH + (layers - 1) * bend, at
+
+
+def strip(name, layers, n, groups, m=2):
+    """The groups of an edge by its side, 0: right, 1: left of the way, its arc
+    length and the layer that is in."""
+    length, at = serpentine(layers)
+    mesh = Mesh()
+
+    def chart(s, t):
+        x, y, a, b = at(s * length)
+        h = (2 * t - 1) * HALF
+        return x - b * h, y + a * h
+    mesh.block("Strip", n, m, chart, {})
+    for i, side in itertools.product(range(n), range(2)):
+        s = (i + .5) / n * length
+        bend = math.pi * RADIUS
+        leg, rest = divmod(s + bend / 2, LENGTH + bend)
+        apart = min(rest, LENGTH + bend - rest) > 1
+        for group in groups(side, s, leg if apart else None):
+            first = 1 + side * m * (n + 1) + i
+            mesh.add(1, group, (first, first + 1))
+    mesh.write(name)
+
+
+def strip_entries(name, way, increments, **more):
+    return {
+        "Mesh/File": f"{name}.msh", "Solids/Young's modulus": "Strip: 1000",
+        "Solids/Poisson's ratio": "Strip: 0.3",
+        "Solution/Increments": increments,
+        "Boundary conditions/Displacement x": "Base: 0, Push: 0",
+        "Boundary conditions/Displacement y": f"Base: 0, Push: {-way}",
+        "Probes/Probes": "y: reaction y, Push", **more}
+
+
+def solved(what, name, entries, ranks=1):
+    status, said, summary = run(name, entries, ranks)
+    check(f"{what}: runs", status == 0 and not violations(summary),
+          "" if status == 0 else said[-600:])
+    return {probe["name"]: probe["value"]
+            for probe in summary.get("probes", [])}
+
+
+def close(what, found, expected, part):
+    if found and expected:
+        size = max(map(abs, expected.values()))
+        check(what, all(abs(found[key] - value) < part * size
+                        for key, value in expected.items()),
+              f"{found} {expected}")
+
+
+def rings():
+    for rule in ("mortar", "nodal"):
+        scenes = (
+                ("ring", .015, {}, 1, {}),
+                ("ring, two processes", .015, {}, 2, {}),
+                ("ring, turned", .015, {"angle": math.radians(40)}, 1, {}),
+                ("ring, degree 2", .015, {}, 1, {"Element/Degree": 2}),
+                ("ring, finer", .004, {"n": 64, "m": 4}, 1, {})) + (
+                    (("ring, one increment", .015, {}, 1,
+                      {"Solution/Increments": 1}),) if rule == "mortar" else ())
+        for what, part, mesh, ranks, more in scenes:
+            what += f", {rule}"
+            more = {"Contact/Discretization": rule, "Element/Degree": 1, **more}
+            forces = []
+            for whole in (False, True):
+                ring("ring", whole, **mesh)
+                forces.append(solved(
+                    what, "ring", ring_entries(whole, mesh.get("angle", 0.),
+                                               **more), ranks))
+            close(what, *forces[::-1], part)
+
+
+def hairpin(name):
+    strip(name, 2, 48, lambda side, s, leg: (
+        (["Inside"] + ([] if leg is None else ["Lower" if leg == 0 else "Upper"])
+         if side == 1 else
+         ["Push"] if s > 2 * LENGTH + 1 else ["Base"] if s < 10 else [])))
+
+
+def hairpins():
+    hairpin("hairpin")
+    for rule, friction in itertools.product(("mortar", "nodal"), (0, .3)):
+        what = f"hairpin, {rule}, friction {friction}"
+        entries = strip_entries(
+            "hairpin", 2.3, 5, **{"Contact/Discretization": rule,
+                                  "Contact/Friction coefficient": friction})
+
+        def of(slave, master):
+            return solved(f"{what}, {slave}", "hairpin", {
+                **entries, "Contact/Slave": slave, "Contact/Master": master})
+        alone = of("Inside", "Inside")
+        pairs = [of("Lower", "Upper"), of("Upper", "Lower")]
+        if alone and all(pairs):
+            close(what, alone,
+                  min(pairs, key=lambda one: abs(one["y"] - alone["y"])), 1e-6)
+
+
+def layers():
+    strip("layers", 3, 75, lambda side, s, leg: (
+        (["Skin"] if leg is None or (leg, side) not in ((0, 0), (2, 1)) else [])
+        + ([f"Side{leg:.0f}{side}"] if leg is not None else [])
+        + (["Base"] if leg == 0 and side == 0 and s < 15 else [])
+        + (["Push"] if leg == 2 and side == 1 and s > 55 else [])))
+    entries = strip_entries("layers", 3.5, 7)
+    alone = solved("layers", "layers", {
+        **entries, "Contact/Slave": "Skin", "Contact/Master": "Skin"})
+    pairs = solved("layers in pairs", "layers", {
+        **entries, "Contact low/Slave": "Side01", "Contact low/Master": "Side11",
+        "Contact high/Slave": "Side20", "Contact high/Master": "Side10"})
+    close("layers", alone, pairs, 1e-2)
+
+
+def nothing():
+    strip("bent", 1, 20, lambda side, s, leg: (
+        ["Skin"] + (["Base"] if s < 2 else ["Push"] if s > 18 else [])))
+    entries = strip_entries("bent", 5, 4)
+    close("a bent strip",
+          solved("a bent strip", "bent", {
+              **entries, "Contact/Slave": "Skin", "Contact/Master": "Skin"}),
+          solved("without contact", "bent", entries), 1e-10)
+
+
+def in_space():
+    depth, stiff = 2., {"Solids/Poisson's ratio": "Ring: 0"}
+    planes = {"Boundary conditions/Displacement z": "Front: 0, Back: 0"}
+    for rule in ("mortar", "nodal"):
+        entries = ring_entries(True, **{
+            **stiff, "Contact/Discretization": rule, "Element/Degree": 1})
+        ring("ring", True)
+        plane = solved("plane ring", "ring", entries)
+        layer("ring.msh", depth).write("ring")
+        close(f"ring in space, {rule}",
+              solved("ring in space", "ring", {**entries, **planes}),
+              {key: depth * value for key, value in plane.items()}, 1e-2)
+    hairpin("hairpin")
+    entries = strip_entries("hairpin", 2.3, 5, **{
+        "Solids/Poisson's ratio": "Strip: 0", "Contact/Slave": "Inside",
+        "Contact/Master": "Inside"})
+    plane = solved("plane hairpin", "hairpin", entries)
+    layer("hairpin.msh", depth).write("hairpin")
+    close("hairpin in space",
+          solved("hairpin in space", "hairpin", {
+              **entries, **planes, "Element/Degree": 1}),
+          {key: depth * value for key, value in plane.items()}, 1e-2)
+
+
+def refused():
+    hairpin("hairpin")
+    entries = strip_entries("hairpin", 2.3, 5, **{
+        "Contact/Slave": "Inside", "Contact/Master": "Inside"})
+    for what, entry, value in (("glue", "Contact/Tied", "true"),
+                               ("in Gauss points", "Contact/Discretization",
+                                "Gauss")):
+        status, said, _ = run("hairpin", {**entries, entry: value})
+        check(f"{what} is refused", status == 2 and "with itself" in said,
+              said[:300])
+
+
+for scene in (rings, hairpins, layers, nothing, in_space, refused):
+    scene()
+print(f"{len(failures)} failed")
+sys.exit(1 if failures else 0)
