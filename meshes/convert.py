@@ -6,11 +6,11 @@
 
 IN is a MED file (Code_Aster, Salome; 2.2 to 4), an Abaqus deck (.inp; what it has
 beside the mesh goes to OUT.prm) or of any format that meshio reads. Groups keep
-their names: in 2-D groups of faces become bodies and
-groups of lines the parts of their boundaries, in 3-D (hexahedra) groups of
-volumes and groups of faces; point elements and groups of one node become the
-named points. Every cell needs one body; --bodies says which groups of cells are
-bodies where others overlap with them. Elements of first and second order keep
+their names: in 2-D groups of faces become bodies and groups of lines the parts of
+their boundaries, in 3-D (hexahedra) groups of volumes and groups of faces; point
+elements and groups of corners of cells become points. Every cell needs one body;
+--bodies says which groups of cells are bodies where others overlap with them.
+Elements of first and second order keep
 their nodes, but contact takes the corners alone: what is round is reported,
 with the circle for Mesh/Arcs (in 3-D the sphere, cylinder or cone for
 Mesh/Spheres, Cylinders or Cones) where a group is one, and with a note on stderr
@@ -181,15 +181,23 @@ def read(path: Path, bodies: list[str]) -> tuple[Mesh, abaqus.Case | None]:
                       "meshio's") from None
 
 
+CORNERS = {"triangle": 3, "quad": 4, "tetra": 4, "hexahedron": 8, "wedge": 6,
+           "pyramid": 5}
+
+
 def name_points(mesh: Mesh) -> None:
-    """A point element for each group of one node."""
-    taken = {n for e in mesh.elements if e.dimension == 0 for n in e.groups}
+    """A point element for each node of a group of nodes, if all are corners."""
+    taken = {n for e in mesh.elements for n in e.groups}
+    corners = {int(n) for e in mesh.elements if e.dimension == mesh.dimension
+               for n in e.nodes[:CORNERS[e.kind.rstrip("0123456789")]]}
     for name, nodes in sorted(mesh.node_groups.items()):
-        if len(nodes) == 1 and name not in taken:
-            mesh.elements.append(Element("vertex", nodes, {name}))
-        elif len(nodes) > 1:
-            print(f"left out: the group '{name}' of {len(nodes)} nodes; a named "
-                  "point is one node, a boundary a group of "
+        if name in taken:
+            continue
+        if corners.issuperset(map(int, nodes)):
+            mesh.elements += [Element("vertex", [n], {name}) for n in nodes]
+        else:
+            print(f"left out: the group '{name}' of {len(nodes)} nodes, as some "
+                  "are in the middle of edges; a boundary is a group of "
                   + ("lines" if mesh.dimension == 2 else "faces"))
 
 

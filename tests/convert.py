@@ -239,12 +239,15 @@ def main():
                                QUADRATIC),
              "7 and 9 nodes": (*second_order(points, elements, True), CENTRED)}
     for kind, (p, e, types) in kinds.items():
-        write_med(med, p, e, node_groups, types)
+        middle = {} if p is points else {len(points): ["Halfway"]}
+        write_med(med, p, e, {**node_groups, **middle}, types)
         msh.unlink(missing_ok=True)
         run = convert("--bodies", "Block,Cylinder", med, msh)
         check(f"MED, {kind}: converted", run.returncode == 0, run.stderr)
-        check(f"MED, {kind}: the group of several nodes is reported",
-              "'Several' of 2 nodes" in run.stdout, run.stdout)
+        check(f"MED, {kind}: a group of several corners is written, one with "
+              "the middle of an edge is reported",
+              '"Several"' in msh.read_text() and
+              ("'Halfway'" in run.stdout) == bool(middle), run.stdout)
         compare(contact, case, msh.absolute(), reference,
                 f"MED, {kind}: results of the own mesh")
     old = pathlib.Path("old.med")

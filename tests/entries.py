@@ -19,6 +19,8 @@ Proves that
   degree 1 and 2, on finer meshes and on two processes;
 - a group of points is held, or excluded from contact, as its points one by one
   are, and so are the nodes of a curve;
+- boundaries by a condition of their place are those of the file, in 2-D, of all
+  bodies and of one, and in 3-D;
 - a boundary may be tied to a point: a platen that a force pushes goes as far as
   the displacement that needs this force, with all nodes where they are then, in
   2-D, in 3-D, with nodes that hang, on two processes, and in contact.
@@ -377,6 +379,57 @@ def groups_of_nodes():
         check(f"{what} is refused", status == 2 and reason in said, said[:300])
 
 
+def places():
+    names = {"bottom": "Base", "top": "Top"}
+    plane, bare = Mesh(), Mesh()
+    for mesh, of_lower, of_upper in (
+            (plane, names, {"bottom": "Sole", "top": "Head", "right": "Side"}),
+            (bare, {}, {})):
+        mesh.block("A", 3, 2, box(-1, 0, 5, 2), of_lower)
+        mesh.block("B", 4, 2, box(0, 2, 4, 5), of_upper)
+    plane.write("named")
+    bare.write("bare")
+    sides = {"y0": "Base", "y1": "Top", "z0": "Front"}
+    for name, groups in (("space_named", sides), ("space_bare", {})):
+        block = Volumes()
+        block.block("A", (2, 2, 2), lambda r, s, t: (r, 2 * s, t), groups, {})
+        block.write(name)
+    two = {"Solids/Young's modulus": "A: 1000, B: 3000",
+           "Solids/Poisson's ratio": "A: 0.3, B: 0.2",
+           "Boundary conditions/Displacement x": "Base: 0, Head: 0",
+           "Boundary conditions/Displacement y": "Base: 0, Head: -0.1",
+           "Boundary conditions/Pressure": "Side: 3",
+           "Contact/Slave": "Sole", "Contact/Master": "Top",
+           "Probes/Probes": "force: contact force y, Sole"}
+    one = {"Solids/Young's modulus": "A: 1000", "Solids/Poisson's ratio": "A: 0.3",
+           "Boundary conditions/Displacement x": "A_Base: 0",
+           "Boundary conditions/Displacement y": "A_Base: 0, A_Top: 0.1",
+           "Boundary conditions/Displacement z": "A_Front: 0",
+           "Probes/Probes": "force: reaction y, A_Top"}
+    for what, scene, named, bare, faces in (
+            ("in 2-D", two, "named", "bare",
+             "Base: y < 0.01; Top in A: abs(y - 2) < 0.01; Sole in B: y < 2.01; "
+             "Head: y > 4.99; Side in B: x > 3.99 && y > 1"),
+            ("in 3-D", one, "space_named", "space_bare",
+             "A_Base: y < 0.01; A_Top: y > 1.99; A_Front: z < 0.01")):
+        found = []
+        for mesh, more in ((named, {}), (bare, {"Mesh/Faces": faces})):
+            status, said, summary = run(
+                mesh, {**scene, "Mesh/File": f"{mesh}.msh", **more})
+            found.append(values(summary)["force"] if status == 0 else said)
+        check(f"boundaries by place {what}",
+              isinstance(found[0], float) and found[0] == found[1], str(found))
+    for what, faces, reason in (
+            ("with no face", "Base: y < -1", "no outer face"),
+            ("of no body", "Base in C: y < 1", "no outer face"),
+            ("that cannot be read", "Base: y <", "Mesh/Faces"),
+            ("with a name of the file", "Head: y > 4.99", "is a group 'Head'")):
+        status, said, _ = run("named", {
+            **two, "Mesh/File": "named.msh", "Mesh/Faces": faces})
+        check(f"a boundary {what} is refused", status == 2 and reason in said,
+              said[:300])
+
+
 def interference():
     """Two blocks between walls, L1 = 2 and L2 = 3 long, free across:
     p = delta/(L1/E1 + L2/E2). Without Poisson's ratio they stay as wide."""
@@ -531,6 +584,7 @@ named_points()
 platen()
 curves()
 groups_of_nodes()
+places()
 interference()
 tied_slave()
 sys.exit(len(failures) > 0)

@@ -247,8 +247,10 @@ namespace Contact
           if (std::none_of(faces.begin(), faces.end(), [&](const auto &face) {
                 return is_in(face.second);
               }))
-            throw InputError("no outer face has all of its corners where '" +
-                               condition + "'",
+            throw InputError("no outer face" +
+                               (body.empty() ? "" : " of '" + body + "'") +
+                               " has all of its corners where '" + condition +
+                               "'",
                              "entry '" + entry + "', '" + name + "'",
                              "leave room for round-off, as in 'y > 9.99' or "
                              "'abs(x) < 0.01'; coordinates are those of the "
