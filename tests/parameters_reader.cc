@@ -277,7 +277,7 @@ namespace
     report_lines("Contact", "set Slave =\nset Master =");
     report_lines("Contact", "set Slave = S");
     report_lines("Contact", "set Master = M");
-    report_lines("Contact", "set Slave = S\nset Master = S");
+    report_lines("Contact", "set Slave = S\nset Master = S\nset Tied = true");
     report_lines("Contact", "set Friction coefficient = 0.1");
     report_lines("Contact", "set Tresca limit = 1");
     report_lines("Contact",

@@ -37,8 +37,10 @@ namespace Contact
   // Under some statuses nothing holds a body that contact alone holds: the
   // matrix is singular, and its solution beyond all digits of the step's. Where
   // that is so, and where statuses do not settle, they change from step to step
-  // from then on. What adds little to the residual is left to the next step,
-  // which another pairing gives other statuses anyway.
+  // from then on. Under the first statuses the first solution is right; this
+  // one has what the stiffness of the pairing did in between. What adds little
+  // to the residual is left to the next step, which another pairing gives other
+  // statuses anyway.
   template<int dim>
   unsigned int StatusSearch<dim>::search(typename LinearSystem<dim>::Step step,
                                          GhostedVector                   &rhs,
@@ -61,7 +63,7 @@ namespace Contact
         n += system->make_step(step, rhs, state);
         const bool is_solution = state.solution.linfty_norm() <= largest;
         searches               = iteration + 1 < max_iterations && is_solution;
-        if (!is_solution)
+        if (!is_solution || model.interface->active_set.statuses() == statuses)
           {
             state.solution = first;
             model.interface->active_set.set_statuses(statuses);
