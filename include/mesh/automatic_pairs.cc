@@ -279,7 +279,7 @@ namespace Contact
   MshFile read_with_surfaces(const Parameters::Mesh &parameters)
   {
     MshFile msh = read_msh(parameters.file);
-    name_by_place(msh, parameters.boundaries);
+    name_by_place(msh, parameters.faces);
     if (parameters.has_outer_surfaces)
       name_outer_surfaces(msh);
     return msh;
@@ -321,6 +321,7 @@ namespace Contact
                                             : std::tie(a->first, b->first);
             pairs.push_back(*section);
             pairs.back().surfaces = Parameters::ContactSurfaces::named;
+            pairs.back().is_made  = true;
             pairs.back().name     = name_of_pair(slave + " " + master);
             pairs.back().slave    = surface_of(slave);
             pairs.back().master   = surface_of(master);

@@ -116,7 +116,9 @@ namespace Contact
                (keeps_parabolas
                   ? "Finer sides in the mesh file, or Mesh/Arcs without its "
                     "mid-side nodes: where they are refined they keep their shape"
-                  : "Refine there, or take degree 2")});
+                : contact_pair.slave.degree == 1
+                  ? "Refine there, or take degree 2"
+                  : "Refine there")});
         }
     }
 

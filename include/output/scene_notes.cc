@@ -331,7 +331,14 @@ namespace Contact
           (parameters.element.degree == 1 && parameters.mesh.refinements == 0 &&
            !parameters.has_levels()))
         return;
+      std::set<std::string> names;
       for (const std::string &name : {contact_pair.slave, contact_pair.master})
+        if (const auto parts = parameters.mesh.groups.find(name);
+            parts != parameters.mesh.groups.end())
+          names.insert(parts->second.begin(), parts->second.end());
+        else
+          names.insert(name);
+      for (const std::string &name : names)
         {
           if (name.empty() || parameters.mesh.is_round(name))
             continue;

@@ -28,7 +28,7 @@ namespace Contact
         throw EntryError("There is no mesh.",
                          {"Mesh/File"},
                          "set 'File' in section 'Mesh' to a gmsh file");
-      for (const auto &[name, condition] : boundaries)
+      for (const auto &[name, condition] : faces)
         check_place_formula(condition, "Mesh/Faces");
       check_round_surfaces();
     }

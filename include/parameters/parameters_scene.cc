@@ -78,7 +78,7 @@ namespace Contact
                         "Boundary groups made of others: 'name: group, group', "
                         "separated by ';' [-].");
       prm.add_parameter("Faces",
-                        boundaries,
+                        faces,
                         "Names for outer faces by their place: 'name: "
                         "condition', separated by ';', as 'Top: y > 9.99' or "
                         "'Bore: x^2 + y^2 < 25.1'. All corners of a face meet "

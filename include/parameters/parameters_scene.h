@@ -96,7 +96,7 @@ namespace Contact
 
       /// Boundary group -> the condition that the corners of its faces meet, in
       /// the coordinates of the file.
-      std::map<std::string, std::string> boundaries;
+      std::map<std::string, std::string> faces;
 
       /// A name for the node at {x, y} or {x, y, z} [mm], in the coordinates
       /// of the file.
@@ -282,6 +282,10 @@ namespace Contact
       /// Not an entry: its slave has been taken away on the command line, and
       /// with it the pair, whatever else its section says.
       bool is_left_out = false;
+
+      /// Not an entry: one of those that stand for an automatic section. Nodes
+      /// that are tied or on a rigid boundary take no part in it.
+      bool is_made = false;
 
       std::string slave;
       std::string master;

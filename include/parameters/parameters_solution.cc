@@ -107,7 +107,7 @@ namespace Contact
         "The linear system [-]; saddle point: with the "
         "multipliers; condensed: without, symmetric positive "
         "definite without friction, for the nodal and mortar discretizations; "
-        "automatic: condensed without contact and for glued surfaces, with "
+        "automatic: condensed in 3-D, without contact, for glued surfaces, with "
         "several levels, with several processes, with another solver than "
         "UMFPACK, and with more than 100000 displacements for the discretizations nodal "
         "and mortar, otherwise saddle point.");

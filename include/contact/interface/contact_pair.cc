@@ -127,6 +127,25 @@ namespace Contact
 
 
 
+    // The slave nodes that are tied, or on a rigid boundary.
+    template<int dim>
+    std::set<unsigned int>
+    nodes_held_otherwise(const Surface<dim>           &slave,
+                         const DiscretizedBodies<dim> &discretization)
+    {
+      std::set<types::global_dof_index> tied;
+      for (const auto &[dof, leader] : discretization.tied())
+        tied.insert({dof, leader});
+      std::set<unsigned int> held;
+      for (unsigned int i = 0; i < slave.nodes.size(); ++i)
+        for (const auto dof : slave.nodes[i].dofs)
+          if (tied.count(dof) > 0 || discretization.is_rigid(dof))
+            held.insert(i);
+      return held;
+    }
+
+
+
     std::vector<ContactPoint<2>>
     make_points_of_gauss(const Surface<2>  &slave,
                          const unsigned int n,
@@ -167,7 +186,6 @@ namespace Contact
     , elasticity(elasticity)
     , parameters(parameters)
   {
-    const std::string section = parameters.section();
     if (parameters.is_with_itself())
       itself.emplace(slave, *master);
     else if (master)
@@ -177,7 +195,9 @@ namespace Contact
       }
 
     for (const std::string &group : parameters.excluded_points)
-      exclude(group, section + "/Excluded points");
+      exclude(group, section() + "/Excluded points");
+    if (parameters.is_made)
+      excluded.merge(nodes_held_otherwise(slave, discretization));
     check_ties(slave,
                master ? &*master : nullptr,
                excluded,

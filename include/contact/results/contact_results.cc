@@ -135,9 +135,14 @@ namespace Contact
          contact_pair.corners_of_master(interface.points()))
       if (const Traction<2> traction = add_point(corner);
           corner.status.kind != Status::open)
-        if (const unsigned int node = node_at_foot(corner, contact_pair.slave);
-            node != numbers::invalid_unsigned_int)
-          at_node[contact_pair.multipliers.of_node[node]] = {&corner, traction};
+        {
+          results.max_pressure = std::max(results.max_pressure, traction.p);
+          if (const unsigned int node =
+                node_at_foot(corner, contact_pair.slave);
+              node != numbers::invalid_unsigned_int)
+            at_node[contact_pair.multipliers.of_node[node]] = {&corner,
+                                                               traction};
+        }
 
     for (const ContactPoint<2> &point : interface.acting_points(contact_pair))
       if (const auto corner = at_node.find(point.multipliers[0]);
@@ -182,7 +187,8 @@ namespace Contact
     for (const ContactPoint<3> &point :
          contact_pair.corners_of_master(interface.points()))
       if (point.status.kind != Status::open)
-        add_force(point);
+        results.max_pressure =
+          std::max(results.max_pressure, add_force(point).p);
     for (const ContactPoint<3> &point : interface.acting_points(contact_pair))
       {
         if (!point.facing || point.status.kind == Status::open)

@@ -24,7 +24,8 @@ namespace Contact
   {
     const bool is_same =
       n_changes == 0 && std::abs(residual - last) < residual / 50;
-    n_still                = is_same ? n_still + 1 : 0;
+    n_still = is_same ? n_still + 1 : 0;
+    all.push_back(residual);
     const bool is_smallest = residual < best;
     last                   = residual;
     best                   = std::min(best, residual);
@@ -40,9 +41,27 @@ namespace Contact
 
 
 
+  unsigned int NewtonGlobalization::circle() const
+  {
+    const unsigned int n_repeated = 20, longest = 8;
+    const double       same = 1e-3;
+    for (unsigned int k = 1; k <= longest && n_repeated + k <= all.size(); ++k)
+      if (std::equal(all.end() - n_repeated,
+                     all.end(),
+                     all.end() - n_repeated - k,
+                     [&](const double now, const double before) {
+                       return std::abs(now - before) <= same * now;
+                     }))
+        return k;
+    return 0;
+  }
+
+
+
   void NewtonGlobalization::forget()
   {
     n_still = 0;
+    all.clear();
     last = best = std::numeric_limits<double>::max();
   }
 

@@ -7,6 +7,7 @@
 #define contact_newton_globalization_h
 
 #include <limits>
+#include <vector>
 
 namespace Contact
 {
@@ -23,6 +24,9 @@ namespace Contact
    * Where no point changes its status and the residual is the same for five
    * steps, within a tenth, the tangent knows nothing of what holds it: more
    * steps do not help, unless the pairing has been frozen meanwhile.
+   *
+   * Where the residuals of twenty steps repeat those of one to eight steps
+   * before, within a thousandth, the next ones will, too.
    *
    * Cycles: all points change their status at once. If their number has not
    * come below its minimum for ten steps in which points change at all, one
@@ -43,10 +47,14 @@ namespace Contact
     /// Whether the residual is that of five steps before.
     bool stands_still() const;
 
+    /// The steps of a circle that the last ones go in; zero if they do not.
+    unsigned int circle() const;
+
     /// The problem that the steps did not solve has become a simpler one.
     void move_on()
     {
       n_still = 0;
+      all.clear();
     }
 
     /// Forget the residuals: the next step starts a new problem, as one that
@@ -61,11 +69,12 @@ namespace Contact
     static constexpr unsigned int max_still = 5;  // steps
     static constexpr unsigned int patience  = 10; // steps without progress
 
-    double       last     = std::numeric_limits<double>::max();
-    double       best     = std::numeric_limits<double>::max();
-    unsigned int n_still  = 0; // steps that changed nothing
-    unsigned int fewest   = std::numeric_limits<unsigned int>::max();
-    unsigned int n_wasted = 0;
+    std::vector<double> all; // residuals
+    double              last     = std::numeric_limits<double>::max();
+    double              best     = std::numeric_limits<double>::max();
+    unsigned int        n_still  = 0; // steps that changed nothing
+    unsigned int        fewest   = std::numeric_limits<unsigned int>::max();
+    unsigned int        n_wasted = 0;
   };
 } // namespace Contact
 

@@ -251,6 +251,11 @@ namespace Contact
       pairing.advance(state, last, progress);
     if (pairing.has_been_frozen(guard.stands_still()))
       guard.move_on();
+    if (const unsigned int n = guard.circle();
+        n > 0 && !convergence.has_converged())
+      throw NotConverged("Newton's method goes round in a circle of " +
+                         std::to_string(n) + " steps: the residual is " +
+                         brief(convergence.residual()) + changes());
     if (guard.stands_still() && !convergence.has_converged())
       throw NotConverged("Newton's method stands still: the residual is " +
                          brief(convergence.residual()) +
