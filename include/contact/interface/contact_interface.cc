@@ -6,6 +6,7 @@
 #include "contact/interface/contact_interface.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "contact/surfaces/surface_checks.h"
 
@@ -164,13 +165,48 @@ namespace Contact
   {
     for (ContactPoint<dim> &point : all_points)
       {
-        const auto &interference    = *contact_pair(point).interference;
-        point.shear_at_start        = state(point, solution, solution).lambda_t;
+        const auto &interference = *contact_pair(point).interference;
+        const auto  now          = state(point, solution, solution);
+        point.shear_at_start     = now.lambda_t;
+        point.share_at_start     = Tensor<1, dim - 1>();
+        if (point.elastic_slip > 0 && now.lambda_t.norm() > 0)
+          point.share_at_start =
+            now.lambda_t / std::max(contact_pair(point).law.bound(now.lambda_n),
+                                    now.lambda_t.norm());
         point.interference_at_start = Tensor<1, dim>();
         if (interference.at)
           point.interference_at_start =
             interference.at(Point<1>(from)) * point.normal;
       }
+  }
+
+
+
+  template<int dim>
+  Tensor<1, dim - 1>
+  ContactInterface<dim>::share_of_bound(const ContactPoint<dim> &point,
+                                        const ContactState<dim> &now) const
+  {
+    const double shear = now.lambda_t.norm();
+    if (point.elastic_slip == 0 || shear == 0)
+      return {};
+    return now.lambda_t /
+           std::max(shear, contact_pair(point).law.bound(now.lambda_n));
+  }
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::guess_elastic_start(const GhostedVector &solution,
+                                                  const GhostedVector &u_start)
+  {
+    for (ContactPoint<dim> &point : all_points)
+      if (point.elastic_slip > 0)
+        {
+          const auto now = state(point, solution, u_start);
+          point.share_at_start =
+            share_of_bound(point, now) + now.slip / point.elastic_slip;
+        }
   }
 
 
@@ -292,11 +328,24 @@ namespace Contact
                 point.psi[k] *
                 solution[tangential_index(point.multipliers[k], t)];
         }
+    state.p_trial = state.lambda_n - point.augmentation_parameter * state.gap;
+    // Under a pressure that is not known yet points stick.
+    const FrictionLaw law =
+      point.elastic_slip > 0 ? bounds.law(point) : FrictionLaw();
+    state.is_elastic = point.elastic_slip > 0 && state.lambda_n > 0 &&
+                       law.tresca_limit < std::numeric_limits<double>::max();
+    if (state.is_elastic)
+      {
+        state.q_trial =
+          law.bound(state.p_trial) *
+          point.without(point.tangents_held_by_points,
+                        point.share_at_start - state.slip / point.elastic_slip);
+        return state;
+      }
     if (point.stick_compliance.norm() > 0)
       state.slip += point.stick_compliance *
                     (state.lambda_t - point.shear_at_start) /
                     point.augmentation_parameter;
-    state.p_trial = state.lambda_n - point.augmentation_parameter * state.gap;
     state.q_trial =
       point.without(point.tangents_held_by_points,
                     state.lambda_t - point.augmentation_parameter * state.slip);

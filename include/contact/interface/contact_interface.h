@@ -38,6 +38,11 @@ namespace Contact
    * Methods Appl. Mech. Engrg. 92, 1991), whose semismooth Newton method with
    * the status kept in the points is the primal-dual active set of
    * Hintermueller, Ito and Kunisch (SIAM J. Optim. 13, 2003).
+   *
+   * With an elastic slip e, where the bound is reached, the trial shear is
+   * b zeta, zeta = zeta_start - s/e, with the bound b under the present
+   * pressure and zeta_start = q/b at the increment's start: perfect plasticity
+   * of the share zeta of the bound. It does not depend on lambda_t.
    */
   template<int dim>
   class ContactInterface
@@ -173,6 +178,11 @@ namespace Contact
     void pair_and_begin_increment(const double         from,
                                   const GhostedVector &start);
 
+    /// Let points with elastic slip remember that start of the increment which
+    /// leads to a state without its multipliers there.
+    void guess_elastic_start(const GhostedVector &solution,
+                             const GhostedVector &u_start);
+
     /**
      * Surfaces that overlap in the mesh are parted along the first increment,
      * of which a step goes from the part @p from to the part @p to: the
@@ -217,6 +227,16 @@ namespace Contact
     /// Add the couplings of the points.
     void add_couplings(DynamicSparsityPattern &pattern) const;
 
+    /// Whether a pair that is not tied has an elastic slip.
+    bool has_elastic_slip() const
+    {
+      return std::any_of(all_points.begin(),
+                         all_points.end(),
+                         [](const auto &point) {
+                           return point.elastic_slip > 0;
+                         });
+    }
+
     /// Gap, slip and multipliers in a solution; the slip is without what
     /// springs give way, see PointPairing::stick_compliance.
     ContactState<dim> state(const ContactPoint<dim> &point,
@@ -224,6 +244,10 @@ namespace Contact
                             const GhostedVector     &u_start) const;
 
   private:
+    /// The shear of a point with elastic slip by its bound.
+    Tensor<1, dim - 1> share_of_bound(const ContactPoint<dim> &point,
+                                      const ContactState<dim> &now) const;
+
     template<typename Predicate>
     bool has_pair(const Predicate &predicate) const
     {

@@ -154,6 +154,35 @@ namespace Contact
                            rows.load_q[t][j]  = node_by_way(rows.load_q[t]);
                          }
                      });
+    if (point.elastic_slip > 0)
+      follow_elastic_slip(point,
+                          interface.state(point, solution, u_start),
+                          rows);
+  }
+
+
+
+  // Of b zeta, instead of lambda_t - c s.
+  template<int dim>
+  void ContactKernel<dim>::follow_elastic_slip(const ContactPoint<dim> &point,
+                                               const ContactState<dim> &now,
+                                               Rows &rows) const
+  {
+    if (!now.is_elastic)
+      return;
+    const FrictionLaw  law   = interface.bounds.law(point);
+    const double       bound = law.bound(now.p_trial);
+    const unsigned int n_u   = dim * point.n_nodes;
+    for (unsigned int t = 0; t < dim - 1; ++t)
+      {
+        Vector<double> &row = rows.q_trial[t];
+        for (unsigned int k = 0; k < point.n_multipliers; ++k)
+          row[n_u + (1 + t) * point.n_multipliers + k] = 0;
+        row *= bound / (point.elastic_slip * point.augmentation_parameter);
+        if (bound > 0)
+          row.add(law.bound_derivative(now.p_trial) * now.q_trial[t] / bound,
+                  rows.p_trial);
+      }
   }
 
 
