@@ -93,7 +93,7 @@ namespace Contact
                      *model.interface,
                      state.solution);
     if (state.start_factor > 0)
-      model.interface->guess_elastic_start(state.solution, state.start);
+      model.interface->set_elastic_start(state.solution, state.start);
     update_statuses();
     for (const ContactPoint<2> &point : model.interface->points())
       if (point.status.kind == Status::open)

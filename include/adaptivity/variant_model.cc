@@ -93,7 +93,7 @@ namespace Contact
         else
           transfer_surfaces(*scene.interface, from.solution);
         if (state.start_factor > 0)
-          model.interface->guess_elastic_start(state.solution, state.start);
+          model.interface->set_elastic_start(state.solution, state.start);
         model.interface->active_set.update(state.solution,
                                            state.start,
                                            /*keep=*/true);

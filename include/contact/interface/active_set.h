@@ -30,7 +30,7 @@ namespace Contact
     Tangential lambda_t;
     double     p_trial;    // lambda_n - c gap: in contact where positive
     Tangential q_trial;    // lambda_t - c slip: sticks where within the bound
-    bool       is_elastic; // q_trial follows from the slip: elastic_share()
+    bool       is_elastic; // the shear follows the slip: elastic_shear()
   };
 
 

@@ -163,16 +163,11 @@ namespace Contact
   void ContactInterface<dim>::begin_increment(const double         from,
                                               const GhostedVector &solution)
   {
+    set_elastic_start(solution, solution);
     for (ContactPoint<dim> &point : all_points)
       {
-        const auto &interference = *contact_pair(point).interference;
-        const auto  now          = state(point, solution, solution);
-        point.shear_at_start     = now.lambda_t;
-        point.share_at_start     = Tensor<1, dim - 1>();
-        if (point.elastic_slip > 0 && now.lambda_t.norm() > 0)
-          point.share_at_start =
-            now.lambda_t / std::max(contact_pair(point).law.bound(now.lambda_n),
-                                    now.lambda_t.norm());
+        const auto &interference    = *contact_pair(point).interference;
+        point.shear_at_start        = state(point, solution, solution).lambda_t;
         point.interference_at_start = Tensor<1, dim>();
         if (interference.at)
           point.interference_at_start =
@@ -183,29 +178,21 @@ namespace Contact
 
 
   template<int dim>
-  Tensor<1, dim - 1>
-  ContactInterface<dim>::share_of_bound(const ContactPoint<dim> &point,
-                                        const ContactState<dim> &now) const
-  {
-    const double shear = now.lambda_t.norm();
-    if (point.elastic_slip == 0 || shear == 0)
-      return {};
-    return now.lambda_t /
-           std::max(shear, contact_pair(point).law.bound(now.lambda_n));
-  }
-
-
-
-  template<int dim>
-  void ContactInterface<dim>::guess_elastic_start(const GhostedVector &solution,
-                                                  const GhostedVector &u_start)
+  void ContactInterface<dim>::set_elastic_start(const GhostedVector &solution,
+                                                const GhostedVector &u_start)
   {
     for (ContactPoint<dim> &point : all_points)
       if (point.elastic_slip > 0)
         {
-          const auto now = state(point, solution, u_start);
-          point.share_at_start =
-            share_of_bound(point, now) + now.slip / point.elastic_slip;
+          const auto   now     = state(point, solution, u_start);
+          const double shear   = now.lambda_t.norm();
+          point.share_at_start = Tensor<1, dim - 1>();
+          if (shear > 0)
+            point.share_at_start =
+              now.lambda_t /
+              std::max(shear, contact_pair(point).law.bound(now.lambda_n));
+          if (&u_start != &solution)
+            point.share_at_start += now.slip / point.elastic_slip;
         }
   }
 
@@ -281,6 +268,23 @@ namespace Contact
 
 
   template<int dim>
+  typename ContactInterface<dim>::ElasticShear
+  ContactInterface<dim>::elastic_shear(const ContactPoint<dim> &point,
+                                       const ContactState<dim> &now) const
+  {
+    const double bound   = bounds.law(point).bound(now.p_trial);
+    const double of_unit = point.augmentation_parameter * point.elastic_slip;
+    return {bound,
+            bound / point.elastic_slip,
+            bound > of_unit ? of_unit / bound : 1.,
+            point.without(point.tangents_held_by_points,
+                          point.share_at_start -
+                            now.slip / point.elastic_slip)};
+  }
+
+
+
+  template<int dim>
   ContactState<dim>
   ContactInterface<dim>::state(const ContactPoint<dim> &point,
                                const GhostedVector     &solution,
@@ -336,10 +340,11 @@ namespace Contact
                        law.tresca_limit < std::numeric_limits<double>::max();
     if (state.is_elastic)
       {
+        const ElasticShear elastic = elastic_shear(point, state);
         state.q_trial =
-          law.bound(state.p_trial) *
           point.without(point.tangents_held_by_points,
-                        point.share_at_start - state.slip / point.elastic_slip);
+                        (1 - elastic.kappa) * state.lambda_t +
+                          elastic.kappa * elastic.bound * elastic.zeta);
         return state;
       }
     if (point.stick_compliance.norm() > 0)

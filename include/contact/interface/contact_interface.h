@@ -39,10 +39,12 @@ namespace Contact
    * the status kept in the points is the primal-dual active set of
    * Hintermueller, Ito and Kunisch (SIAM J. Optim. 13, 2003).
    *
-   * With an elastic slip e, where the bound is reached, the trial shear is
-   * b zeta, zeta = zeta_start - s/e, with the bound b under the present
-   * pressure and zeta_start = q/b at the increment's start: perfect plasticity
-   * of the share zeta of the bound. It does not depend on lambda_t.
+   * With an elastic slip e, where the bound b is reached, a point sticks if
+   *   lambda_t = b zeta,   zeta = zeta_start - s/e,
+   * zeta_start = q/b at the increment's start: perfect plasticity of the share
+   * zeta of the bound. Its trial value is
+   *   q_trial = lambda_t + kappa (b zeta - lambda_t),   kappa = min(1, c e/b),
+   * by no stiffer springs than c: with b/e directions of slip find no end.
    */
   template<int dim>
   class ContactInterface
@@ -178,10 +180,10 @@ namespace Contact
     void pair_and_begin_increment(const double         from,
                                   const GhostedVector &start);
 
-    /// Let points with elastic slip remember that start of the increment which
-    /// leads to a state without its multipliers there.
-    void guess_elastic_start(const GhostedVector &solution,
-                             const GhostedVector &u_start);
+    /// Let points with elastic slip begin an increment with the shears of a
+    /// state; if that is not the start, with those that lead to them.
+    void set_elastic_start(const GhostedVector &solution,
+                           const GhostedVector &u_start);
 
     /**
      * Surfaces that overlap in the mesh are parted along the first increment,
@@ -237,6 +239,17 @@ namespace Contact
                          });
     }
 
+    /// What elastic slip makes of a shear: bound b [MPa], stiffness b/e
+    /// [MPa/mm], kappa and zeta.
+    struct ElasticShear
+    {
+      double             bound, stiffness, kappa;
+      Tensor<1, dim - 1> zeta;
+    };
+
+    ElasticShear elastic_shear(const ContactPoint<dim> &point,
+                               const ContactState<dim> &now) const;
+
     /// Gap, slip and multipliers in a solution; the slip is without what
     /// springs give way, see PointPairing::stick_compliance.
     ContactState<dim> state(const ContactPoint<dim> &point,
@@ -244,10 +257,6 @@ namespace Contact
                             const GhostedVector     &u_start) const;
 
   private:
-    /// The shear of a point with elastic slip by its bound.
-    Tensor<1, dim - 1> share_of_bound(const ContactPoint<dim> &point,
-                                      const ContactState<dim> &now) const;
-
     template<typename Predicate>
     bool has_pair(const Predicate &predicate) const
     {

@@ -162,7 +162,7 @@ namespace Contact
 
 
 
-  // Of b zeta, instead of lambda_t - c s.
+  // What kappa changes by is zero where a point sticks.
   template<int dim>
   void ContactKernel<dim>::follow_elastic_slip(const ContactPoint<dim> &point,
                                                const ContactState<dim> &now,
@@ -170,19 +170,21 @@ namespace Contact
   {
     if (!now.is_elastic)
       return;
-    const FrictionLaw  law   = interface.bounds.law(point);
-    const double       bound = law.bound(now.p_trial);
-    const unsigned int n_u   = dim * point.n_nodes;
+    const auto   elastic = interface.elastic_shear(point, now);
+    const double by_p =
+      interface.bounds.law(point).bound_derivative(now.p_trial);
+    const unsigned int first = dim * point.n_nodes + point.n_multipliers;
+    const double       softer =
+      elastic.kappa * elastic.stiffness / point.augmentation_parameter;
     for (unsigned int t = 0; t < dim - 1; ++t)
-      {
-        Vector<double> &row = rows.q_trial[t];
-        for (unsigned int k = 0; k < point.n_multipliers; ++k)
-          row[n_u + (1 + t) * point.n_multipliers + k] = 0;
-        row *= bound / (point.elastic_slip * point.augmentation_parameter);
-        if (bound > 0)
-          row.add(law.bound_derivative(now.p_trial) * now.q_trial[t] / bound,
-                  rows.p_trial);
-      }
+      for (unsigned int j = 0; j < rows.unknowns.size(); ++j)
+        {
+          const bool is_shear =
+            j >= first && j < first + (dim - 1) * point.n_multipliers;
+          rows.q_trial[t][j] *= is_shear ? 1 - elastic.kappa : softer;
+          rows.q_trial[t][j] +=
+            elastic.kappa * by_p * elastic.zeta[t] * rows.p_trial[j];
+        }
   }
 
 

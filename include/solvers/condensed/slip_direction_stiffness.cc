@@ -90,23 +90,32 @@ namespace Contact
         const ContactState<dim> now = interface.state(point, solution, u_start);
         const Tensor<1, dim - 1> whole_slip = way(point, now);
         const double bound   = interface.bounds.law(point).bound(now.p_trial);
-        const double of_unit = now.is_elastic ? bound / point.elastic_slip
-                                              : point.augmentation_parameter;
-        const Tensor<2, dim - 1> compliance =
-          now.is_elastic ? Tensor<2, dim - 1>(unit_symmetric_tensor<dim - 1>())
-                         : point.stick_compliance;
-        // The shear of the springs acts already.
-        if (point.status.kind == Status::stick && compliance.norm() > 0)
+        double       of_unit = point.augmentation_parameter;
+        Tensor<2, dim - 1> compliance = point.stick_compliance;
+        if (now.is_elastic)
           {
-            Tensor<1, dim - 1> rotation;
-            if (now.is_elastic && bound > 0)
-              rotation = now.q_trial / bound;
+            const auto elastic = interface.elastic_shear(point, now);
+            of_unit            = elastic.kappa * elastic.stiffness;
+            compliance         = 0;
+            for (unsigned int t = 0; t < dim - 1; ++t)
+              compliance[t][t] = elastic.kappa;
+            if (point.status.kind == Status::stick)
+              {
+                const Tensor<2, dim - 1> of_slip =
+                  elastic.stiffness / elastic.kappa * compliance;
+                all.push_back(
+                  {k, elastic.zeta, of_slip, of_slip * whole_slip, true});
+                acting.push_back(bound * elastic.zeta - now.q_trial);
+              }
+          }
+        // The shear of the springs acts already.
+        else if (point.status.kind == Status::stick && compliance.norm() > 0)
+          {
             all.push_back({k,
-                           rotation,
+                           {},
                            of_unit * compliance,
-                           compliance * (now.q_trial - bound * rotation +
-                                         of_unit * whole_slip),
-                           now.is_elastic});
+                           compliance * (now.q_trial + of_unit * whole_slip),
+                           false});
             acting.emplace_back();
           }
         if constexpr (dim == 3)
@@ -130,11 +139,9 @@ namespace Contact
             const double        left   = 1 - beta * (across * rigid);
             const double share = beta < largest * left ? beta / left : largest;
             const Tensor<1, 2> rotation = share * (rigid * d) * across;
-            // The direction may be that of another state.
-            const Tensor<1, 2> rest =
-              share *
-              (now.is_elastic ? across * now.q_trial : -rigid * now.lambda_t) *
-              across;
+            Tensor<1, 2>       rest = -share * (rigid * now.lambda_t) * across;
+            if (now.is_elastic) // the direction may be that of another state
+              rest += share * (across * now.q_trial) * across;
             const Tensor<2, 2> of_slip =
               of_unit * share * outer_product(across, across);
             all.push_back(
