@@ -92,6 +92,8 @@ namespace Contact
     restore_surfaces(save_surfaces(coarse, coarse_solution),
                      *model.interface,
                      state.solution);
+    if (state.start_factor > 0)
+      model.interface->set_elastic_start(state.solution, state.start);
     update_statuses();
     for (const ContactPoint<2> &point : model.interface->points())
       if (point.status.kind == Status::open)

@@ -89,22 +89,27 @@ namespace Contact
 
     void add_pair(const Parameters::Contact &of_pair, Variants &variants)
     {
-      const std::string section     = of_pair.section() + "/";
-      const std::string no_friction = section + "Friction coefficient=0";
-      const std::string no_limit    = section + "Tresca limit=0";
+      const std::string        section = of_pair.section() + "/";
+      std::vector<std::string> no_friction{section + "Friction coefficient=0",
+                                           section + "Tresca limit=0"};
+      if (!of_pair.elastic_slip.empty())
+        {
+          no_friction.push_back(section + "Elastic slip=");
+          variants.add(section + "elastic slip", true, {no_friction.back()});
+        }
       if (of_pair.tied)
         variants.add(section + "glue", true, {section + "Tied=false"});
       else
         {
           if (of_pair.frictional())
-            variants.add(section + "friction", true, {no_friction, no_limit});
+            variants.add(section + "friction", true, no_friction);
           else
             variants.add(section + "friction 0.1",
                          false,
                          {section + "Friction coefficient=0.1"});
-          variants.add(section + "glue",
-                       false,
-                       {section + "Tied=true", no_friction, no_limit});
+          std::vector<std::string> glue = no_friction;
+          glue.insert(glue.begin(), section + "Tied=true");
+          variants.add(section + "glue", false, glue);
         }
       if (!of_pair.interference.empty())
         variants.add(section + "interference",

@@ -92,6 +92,8 @@ namespace Contact
           take_surfaces(*scene.interface, from.solution);
         else
           transfer_surfaces(*scene.interface, from.solution);
+        if (state.start_factor > 0)
+          model.interface->set_elastic_start(state.solution, state.start);
         model.interface->active_set.update(state.solution,
                                            state.start,
                                            /*keep=*/true);

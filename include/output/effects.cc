@@ -73,15 +73,20 @@ namespace Contact
                 "none, tied",
                 "normal and tangential multipliers, no statuses",
                 contact_pair.section() + "/Tied"};
+      const std::string elastic =
+        contact_pair.elastic_slip.empty()
+          ? ""
+          : ", elastic slip " + contact_pair.elastic_slip;
       if (contact_pair.friction_coefficient > 0)
         return {"friction",
                 with_number("Coulomb", contact_pair.friction_coefficient) +
-                  ", " + solution.friction.name(),
+                  elastic + ", " + solution.friction.name(),
                 following(solution.friction),
                 coulomb};
       if (contact_pair.tresca_limit > 0)
         return {"friction",
-                with_number("Tresca", contact_pair.tresca_limit) + " MPa",
+                with_number("Tresca", contact_pair.tresca_limit) + " MPa" +
+                  elastic,
                 "tangential multipliers, a bound that stays",
                 contact_pair.section() + "/Tresca limit"};
       return {"friction", "none", "no tangential unknowns", coulomb};

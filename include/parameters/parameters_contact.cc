@@ -156,6 +156,12 @@ namespace Contact
                         "Bound of the tangential traction that does not "
                         "depend on the pressure [MPa]; 0: none.",
                         Patterns::Double(0));
+      prm.add_parameter("Elastic slip",
+                        elastic_slip,
+                        "Slip at which the shear reaches its bound, in "
+                        "proportion below it: a length [mm], or a share of "
+                        "the slave's edge, '0.5 %'. Empty: none, below the "
+                        "bound surfaces stick.");
       prm.add_parameter(
         "Augmentation parameter",
         augmentation_parameter,

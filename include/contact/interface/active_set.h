@@ -28,8 +28,9 @@ namespace Contact
     Tangential slip;     // of this increment [mm]
     double     lambda_n; // interpolated multipliers [MPa]
     Tangential lambda_t;
-    double     p_trial; // lambda_n - c gap: in contact where positive
-    Tangential q_trial; // lambda_t - c slip: sticks where within the bound
+    double     p_trial;    // lambda_n - c gap: in contact where positive
+    Tangential q_trial;    // lambda_t - c slip: sticks where within the bound
+    bool       is_elastic; // the shear follows the slip: elastic_shear()
   };
 
 

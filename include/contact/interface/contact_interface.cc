@@ -6,6 +6,7 @@
 #include "contact/interface/contact_interface.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "contact/surfaces/surface_checks.h"
 
@@ -162,6 +163,7 @@ namespace Contact
   void ContactInterface<dim>::begin_increment(const double         from,
                                               const GhostedVector &solution)
   {
+    set_elastic_start(solution, solution);
     for (ContactPoint<dim> &point : all_points)
       {
         const auto &interference    = *contact_pair(point).interference;
@@ -171,6 +173,27 @@ namespace Contact
           point.interference_at_start =
             interference.at(Point<1>(from)) * point.normal;
       }
+  }
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::set_elastic_start(const GhostedVector &solution,
+                                                const GhostedVector &u_start)
+  {
+    for (ContactPoint<dim> &point : all_points)
+      if (point.elastic_slip > 0)
+        {
+          const auto   now     = state(point, solution, u_start);
+          const double shear   = now.lambda_t.norm();
+          point.share_at_start = Tensor<1, dim - 1>();
+          if (shear > 0)
+            point.share_at_start =
+              now.lambda_t /
+              std::max(shear, contact_pair(point).law.bound(now.lambda_n));
+          if (&u_start != &solution)
+            point.share_at_start += now.slip / point.elastic_slip;
+        }
   }
 
 
@@ -245,6 +268,23 @@ namespace Contact
 
 
   template<int dim>
+  typename ContactInterface<dim>::ElasticShear
+  ContactInterface<dim>::elastic_shear(const ContactPoint<dim> &point,
+                                       const ContactState<dim> &now) const
+  {
+    const double bound   = bounds.law(point).bound(now.p_trial);
+    const double of_unit = point.augmentation_parameter * point.elastic_slip;
+    return {bound,
+            bound / point.elastic_slip,
+            bound > of_unit ? of_unit / bound : 1.,
+            point.without(point.tangents_held_by_points,
+                          point.share_at_start -
+                            now.slip / point.elastic_slip)};
+  }
+
+
+
+  template<int dim>
   ContactState<dim>
   ContactInterface<dim>::state(const ContactPoint<dim> &point,
                                const GhostedVector     &solution,
@@ -292,11 +332,25 @@ namespace Contact
                 point.psi[k] *
                 solution[tangential_index(point.multipliers[k], t)];
         }
+    state.p_trial = state.lambda_n - point.augmentation_parameter * state.gap;
+    // Under a pressure that is not known yet points stick.
+    const FrictionLaw law =
+      point.elastic_slip > 0 ? bounds.law(point) : FrictionLaw();
+    state.is_elastic = point.elastic_slip > 0 && state.lambda_n > 0 &&
+                       law.tresca_limit < std::numeric_limits<double>::max();
+    if (state.is_elastic)
+      {
+        const ElasticShear elastic = elastic_shear(point, state);
+        state.q_trial =
+          point.without(point.tangents_held_by_points,
+                        (1 - elastic.kappa) * state.lambda_t +
+                          elastic.kappa * elastic.bound * elastic.zeta);
+        return state;
+      }
     if (point.stick_compliance.norm() > 0)
       state.slip += point.stick_compliance *
                     (state.lambda_t - point.shear_at_start) /
                     point.augmentation_parameter;
-    state.p_trial = state.lambda_n - point.augmentation_parameter * state.gap;
     state.q_trial =
       point.without(point.tangents_held_by_points,
                     state.lambda_t - point.augmentation_parameter * state.slip);

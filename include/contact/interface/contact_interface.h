@@ -38,6 +38,13 @@ namespace Contact
    * Methods Appl. Mech. Engrg. 92, 1991), whose semismooth Newton method with
    * the status kept in the points is the primal-dual active set of
    * Hintermueller, Ito and Kunisch (SIAM J. Optim. 13, 2003).
+   *
+   * With an elastic slip e, where the bound b is reached, a point sticks if
+   *   lambda_t = b zeta,   zeta = zeta_start - s/e,
+   * zeta_start = q/b at the increment's start: perfect plasticity of the share
+   * zeta of the bound. Its trial value is
+   *   q_trial = lambda_t + kappa (b zeta - lambda_t),   kappa = min(1, c e/b),
+   * by no stiffer springs than c: with b/e directions of slip find no end.
    */
   template<int dim>
   class ContactInterface
@@ -173,6 +180,11 @@ namespace Contact
     void pair_and_begin_increment(const double         from,
                                   const GhostedVector &start);
 
+    /// Let points with elastic slip begin an increment with the shears of a
+    /// state; if that is not the start, with those that lead to them.
+    void set_elastic_start(const GhostedVector &solution,
+                           const GhostedVector &u_start);
+
     /**
      * Surfaces that overlap in the mesh are parted along the first increment,
      * of which a step goes from the part @p from to the part @p to: the
@@ -216,6 +228,27 @@ namespace Contact
 
     /// Add the couplings of the points.
     void add_couplings(DynamicSparsityPattern &pattern) const;
+
+    /// Whether a pair that is not tied has an elastic slip.
+    bool has_elastic_slip() const
+    {
+      return std::any_of(all_points.begin(),
+                         all_points.end(),
+                         [](const auto &point) {
+                           return point.elastic_slip > 0;
+                         });
+    }
+
+    /// What elastic slip makes of a shear: bound b [MPa], stiffness b/e
+    /// [MPa/mm], kappa and zeta.
+    struct ElasticShear
+    {
+      double             bound, stiffness, kappa;
+      Tensor<1, dim - 1> zeta;
+    };
+
+    ElasticShear elastic_shear(const ContactPoint<dim> &point,
+                               const ContactState<dim> &now) const;
 
     /// Gap, slip and multipliers in a solution; the slip is without what
     /// springs give way, see PointPairing::stick_compliance.

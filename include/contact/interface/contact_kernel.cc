@@ -154,6 +154,37 @@ namespace Contact
                            rows.load_q[t][j]  = node_by_way(rows.load_q[t]);
                          }
                      });
+    if (point.elastic_slip > 0)
+      follow_elastic_slip(point,
+                          interface.state(point, solution, u_start),
+                          rows);
+  }
+
+
+
+  // What kappa changes by is zero where a point sticks.
+  template<int dim>
+  void ContactKernel<dim>::follow_elastic_slip(const ContactPoint<dim> &point,
+                                               const ContactState<dim> &now,
+                                               Rows &rows) const
+  {
+    if (!now.is_elastic)
+      return;
+    const auto   elastic = interface.elastic_shear(point, now);
+    const double by_p =
+      interface.bounds.law(point).bound_derivative(now.p_trial);
+    const unsigned int first = dim * point.n_nodes + point.n_multipliers;
+    const double       softer =
+      elastic.kappa * elastic.stiffness / point.augmentation_parameter;
+    for (unsigned int t = 0; t < dim - 1; ++t)
+      for (unsigned int j = 0; j < rows.unknowns.size(); ++j)
+        {
+          const bool is_shear =
+            j >= first && j < first + (dim - 1) * point.n_multipliers;
+          rows.q_trial[t][j] *= is_shear ? 1 - elastic.kappa : softer;
+          rows.q_trial[t][j] +=
+            elastic.kappa * by_p * elastic.zeta[t] * rows.p_trial[j];
+        }
   }
 
 

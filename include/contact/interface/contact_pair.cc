@@ -341,6 +341,7 @@ namespace Contact
           point.multipliers[k] += first_multiplier;
         point.augmentation_parameter =
           augmentation_parameter * stiffness(point);
+        point.elastic_slip   = parameters.elastic_slip_of(edge_length(point));
         point.friction_bound = law.bound(0);
       }
     return points;

@@ -64,6 +64,7 @@ namespace Contact
     double          weight = 0; // undeformed length it stands for [mm]; of
                                 // rings, and in 3-D, the area [mm^2]
     double augmentation_parameter = 0; // the c of p - c g [MPa/mm]
+    double elastic_slip = 0; // at which the bound is reached [mm]; 0: none
 
     // Directions that supports hold the slave's node along, but not all nodes
     // around it: see mark_dirichlet_edges().
@@ -244,8 +245,9 @@ namespace Contact
     // Bound of the shear traction while a Tresca problem is solved [MPa].
     double friction_bound = 0;
 
-    // At the increment's start, which springs go on from [MPa].
-    Tensor<1, dim - 1> shear_at_start;
+    // At the increment's start, which springs go on from [MPa], and as a share
+    // of the bound there, which elastic slip goes on from [-].
+    Tensor<1, dim - 1> shear_at_start, share_at_start;
 
     // In 3-D, the directions along the tangents in which other points in
     // contact hold the node, see PointFrames. Orthonormal.

@@ -96,7 +96,8 @@ namespace Contact
     if (interface != nullptr && interface->bounds.follow)
       for (const ContactPoint<dim> &point : interface->points())
         if (!point.change.dofs.empty() ||
-            (point.status.has_direction() &&
+            ((point.status.has_direction() ||
+              (point.status.kind == Status::stick && point.elastic_slip > 0)) &&
              interface->contact_pair(point).law.coulomb_coefficient > 0))
           symmetric = false;
 
@@ -163,7 +164,7 @@ namespace Contact
                       with_slide(point, direction, solution, u_start),
                       -way);
     };
-    if (point.status.kind == Status::stick)
+    if (point.status.kind == Status::stick && !now.is_elastic)
       {
         ++discretization.counters.tangential_rows;
         const Tensor<1, dim> away =

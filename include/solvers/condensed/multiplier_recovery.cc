@@ -103,6 +103,8 @@ namespace Contact
   MultiplierRecovery<dim>::find_shear_directions(const unsigned int k) const
   {
     const ContactPoint<dim> &point = points[k];
+    if (turned[k].is_elastic)
+      return {};
     if (point.status.kind == Status::stick)
       {
         std::vector<Tensor<1, dim - 1>> free;
@@ -142,14 +144,15 @@ namespace Contact
       factors.known =
         share.factor *
         point.along_tangents(turned[share.point].shear)[share.coordinate];
-    if (!factors.q.empty() || !point.status.has_direction())
+    if (!factors.q.empty() ||
+        !(point.status.has_direction() || turned[share.point].is_elastic))
       return factors;
     const double along =
       point.along_tangents(point.status.direction() +
                            turned[share.point].rotation)[share.coordinate];
-    factors.p     = share.factor * (normal + law.coulomb_coefficient * along);
-    factors.known = share.factor * law.tresca_limit * along;
-    if (dim == 3)
+    factors.p = share.factor * (normal + law.coulomb_coefficient * along);
+    factors.known += share.factor * law.tresca_limit * along;
+    if (point.status.kind == Status::slip)
       factors.known +=
         share.factor *
         point.along_tangents(turned[share.point].shear)[share.coordinate];
@@ -173,17 +176,19 @@ namespace Contact
       solve_coupled(residual, tractions);
     share_along_edges(tractions);
     for (unsigned int k = 0; k < points.size(); ++k)
-      if (points[k].status.kind == Status::stick)
-        tractions[k].q += turned[k].shear;
-      else if (points[k].status.kind == Status::slip)
-        {
-          const Tensor<1, dim - 1> d = points[k].status.direction();
-          const double             bound =
-            interface.bounds.law(points[k]).bound(tractions[k].p);
+      {
+        const Tensor<1, dim - 1> d = points[k].status.direction();
+        const double             bound =
+          interface.bounds.law(points[k]).bound(tractions[k].p);
+        if (turned[k].is_elastic)
+          tractions[k].q = turned[k].shear + bound * turned[k].rotation;
+        else if (points[k].status.kind == Status::stick)
+          tractions[k].q += turned[k].shear;
+        else if (points[k].status.kind == Status::slip)
           tractions[k].q = shear_directions[k].empty()
                              ? turned[k].shear + bound * turned[k].rotation
                              : tractions[k].q - (tractions[k].q * d) * d;
-        }
+      }
     return tractions;
   }
 

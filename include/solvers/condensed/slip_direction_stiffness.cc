@@ -13,13 +13,13 @@ namespace Contact
 {
   namespace
   {
-    using Term = SlipDirectionStiffness<3>::Term;
-
     /// The slip with what springs give way.
     template<int dim>
     Tensor<1, dim - 1> way(const ContactPoint<dim> &point,
                            const ContactState<dim> &now)
     {
+      if (now.is_elastic)
+        return now.slip;
       return now.slip - point.stick_compliance *
                           (now.lambda_t - point.shear_at_start) /
                           point.augmentation_parameter;
@@ -29,27 +29,28 @@ namespace Contact
 
     /// Make of @p term what the system gets, with the load of @p acting, a
     /// shear by tangent.
-    void complete(const ContactPoint<3>           &point,
-                  const Tensor<1, 2>              &acting,
-                  SlipDirectionStiffness<3>::Term &term)
+    template<int dim>
+    void complete(const ContactPoint<dim>                    &point,
+                  const Tensor<1, dim - 1>                   &acting,
+                  typename SlipDirectionStiffness<dim>::Term &term)
     {
-      const unsigned int n = 3 * point.n_nodes;
+      const unsigned int n = dim * point.n_nodes;
       term.stiffness.reinit(n, n);
       term.load.reinit(n);
-      const Tensor<1, 3> load = point.weight * point.along_tangents(acting);
-      Tensor<2, 3>       k;
-      for (unsigned int s = 0; s < 2; ++s)
-        for (unsigned int t = 0; t < 2; ++t)
+      const Tensor<1, dim> load = point.weight * point.along_tangents(acting);
+      Tensor<2, dim>       k;
+      for (unsigned int s = 0; s < dim - 1; ++s)
+        for (unsigned int t = 0; t < dim - 1; ++t)
           k += point.weight * term.of_slip[s][t] *
                outer_product(point.tangents[s], point.tangents[t]);
       for (unsigned int a = 0; a < point.n_nodes; ++a)
-        for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int i = 0; i < dim; ++i)
           {
             term.dofs.push_back(point.dofs(a)[i]);
-            term.load[3 * a + i] = point.C[a] * load[i];
+            term.load[dim * a + i] = point.C[a] * load[i];
             for (unsigned int b = 0; b < point.n_nodes; ++b)
-              for (unsigned int j = 0; j < 3; ++j)
-                term.stiffness(3 * a + i, 3 * b + j) =
+              for (unsigned int j = 0; j < dim; ++j)
+                term.stiffness(dim * a + i, dim * b + j) =
                   point.C[a] * point.C[b] * k[i][j];
           }
       // Jacobi's method: that by QL decomposition does not end where a shear of
@@ -59,10 +60,10 @@ namespace Contact
                         SymmetricTensorEigenvectorMethod::jacobi))
         if (value > 0)
           {
-            const Tensor<1, 3> along = point.along_tangents(direction);
-            Vector<double>     way(n);
+            const Tensor<1, dim> along = point.along_tangents(direction);
+            Vector<double>       way(n);
             for (unsigned int k = 0; k < n; ++k)
-              way[k] = point.C[k / 3] * along[k % 3];
+              way[k] = point.C[k / dim] * along[k % dim];
             term.springs.emplace_back(point.weight * value, way);
           }
     }
@@ -78,35 +79,52 @@ namespace Contact
                                      const bool any_rank_may_add)
   {
     std::vector<Term> all;
-    if constexpr (dim == 3)
+    if (dim == 2 && !interface.has_elastic_slip())
+      return all;
+    std::vector<Tensor<1, dim - 1>> acting;
+    for (unsigned int k = 0; k < interface.points().size(); ++k)
       {
-        std::vector<Tensor<1, 2>> acting;
-        for (unsigned int k = 0; k < interface.points().size(); ++k)
+        const ContactPoint<dim> &point = interface.points()[k];
+        if (point.status.kind == Status::open)
+          continue;
+        const ContactState<dim> now = interface.state(point, solution, u_start);
+        const Tensor<1, dim - 1> whole_slip = way(point, now);
+        const double bound   = interface.bounds.law(point).bound(now.p_trial);
+        double       of_unit = point.augmentation_parameter;
+        Tensor<2, dim - 1> compliance = point.stick_compliance;
+        if (now.is_elastic)
           {
-            const ContactPoint<3> &point = interface.points()[k];
-            if (point.status.kind == Status::open)
-              continue;
-            const ContactState<3> now =
-              interface.state(point, solution, u_start);
-            const double       c          = point.augmentation_parameter;
-            const Tensor<1, 2> whole_slip = way(point, now);
-            // The shear of the springs acts already.
-            if (point.status.kind == Status::stick &&
-                point.stick_compliance.norm() > 0)
+            const auto elastic = interface.elastic_shear(point, now);
+            of_unit            = elastic.kappa * elastic.stiffness;
+            compliance         = 0;
+            for (unsigned int t = 0; t < dim - 1; ++t)
+              compliance[t][t] = elastic.kappa;
+            if (point.status.kind == Status::stick)
               {
+                const Tensor<2, dim - 1> of_slip =
+                  elastic.stiffness / elastic.kappa * compliance;
                 all.push_back(
-                  {k,
-                   {},
-                   c * point.stick_compliance,
-                   point.stick_compliance * (now.q_trial + c * whole_slip)});
-                acting.emplace_back();
+                  {k, elastic.zeta, of_slip, of_slip * whole_slip, true});
+                acting.push_back(bound * elastic.zeta - now.q_trial);
               }
+          }
+        // The shear of the springs acts already.
+        else if (point.status.kind == Status::stick && compliance.norm() > 0)
+          {
+            all.push_back({k,
+                           {},
+                           of_unit * compliance,
+                           compliance * (now.q_trial + of_unit * whole_slip),
+                           false});
+            acting.emplace_back();
+          }
+        if constexpr (dim == 3)
+          {
             const double size = now.q_trial.norm();
             // Supports move it, or an edge leaves one direction: nothing turns.
             if (!point.status.has_direction() || size == 0 ||
                 !point.tangents_held_by_points.empty())
               continue;
-            const double bound = interface.bounds.law(point).bound(now.p_trial);
             // The exact stiffness of a point that hardly slips is without
             // bound: multigrid takes more iterations then, and active sets find
             // no end. A sliver of a facet has less weight.
@@ -117,32 +135,35 @@ namespace Contact
 
             const Tensor<1, 2> &d      = point.status.direction();
             const Tensor<1, 2>  across = cross_product_2d(d);
-            const Tensor<1, 2> rigid = across - point.stick_compliance * across;
-            const double       left  = 1 - beta * (across * rigid);
+            const Tensor<1, 2>  rigid  = across - compliance * across;
+            const double        left   = 1 - beta * (across * rigid);
             const double share = beta < largest * left ? beta / left : largest;
             const Tensor<1, 2> rotation = share * (rigid * d) * across;
-            const Tensor<1, 2> rest = -share * (rigid * now.lambda_t) * across;
+            Tensor<1, 2>       rest = -share * (rigid * now.lambda_t) * across;
+            if (now.is_elastic) // the direction may be that of another state
+              rest += share * (across * now.q_trial) * across;
             const Tensor<2, 2> of_slip =
-              c * share * outer_product(across, across);
-            all.push_back({k, rotation, of_slip, rest + of_slip * whole_slip});
+              of_unit * share * outer_product(across, across);
+            all.push_back(
+              {k, rotation, of_slip, rest + of_slip * whole_slip, false});
             acting.push_back(bound * rotation + rest);
           }
+      }
 
-        const auto    &discretization = interface.discretization;
-        const IndexSet share =
-          Utilities::MPI::create_evenly_distributed_partitioning(
-            discretization.communicator,
-            all.size());
-        const IndexSet &owned = discretization.dof_handler.locally_owned_dofs();
-        for (unsigned int t = 0; t < all.size(); ++t)
+    const auto    &discretization = interface.discretization;
+    const IndexSet share =
+      Utilities::MPI::create_evenly_distributed_partitioning(
+        discretization.communicator,
+        all.size());
+    const IndexSet &owned = discretization.dof_handler.locally_owned_dofs();
+    for (unsigned int t = 0; t < all.size(); ++t)
+      {
+        const ContactPoint<dim> &point = interface.points()[all[t].point];
+        if (any_rank_may_add ? share.is_element(t)
+                             : owned.is_element(point.dofs(0)[0]))
           {
-            const ContactPoint<3> &point = interface.points()[all[t].point];
-            if (any_rank_may_add ? share.is_element(t)
-                                 : owned.is_element(point.dofs(0)[0]))
-              {
-                complete(point, acting[t], all[t]);
-                ++discretization.counters.slip_stiffnesses;
-              }
+            complete<dim>(point, acting[t], all[t]);
+            ++discretization.counters.slip_stiffnesses;
           }
       }
     return all;
@@ -162,11 +183,13 @@ namespace Contact
     for (const Term &term : terms)
       {
         const ContactPoint<dim> &point = interface.points()[term.point];
-        turned[term.point]             = {
-                      term.rotation,
-                      term.shear_at_rest -
-                        term.of_slip *
-                          way(point, interface.state(point, solution, u_start))};
+        if (!term.is_elastic || point.status.kind == Status::stick)
+          turned[term.point] = {
+            term.rotation,
+            term.shear_at_rest -
+              term.of_slip *
+                way(point, interface.state(point, solution, u_start)),
+            term.is_elastic};
       }
     return turned;
   }

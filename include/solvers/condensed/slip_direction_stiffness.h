@@ -29,6 +29,10 @@ namespace Contact
    * alone: with P the projection across springs, alpha = beta/(1 - beta a.P a),
    *   lambda_new = b (d + alpha a.P d a) - alpha a (a.P lambda + c a.ds).
    * A point that sticks has the stiffness c of its springs.
+   *
+   * Elastic slip (see ContactInterface) is a spring in all directions, of the
+   * stiffness b/e, and with the bound the shear grows by q_trial/b: this is the
+   * rotation of a point that sticks. Also in 2-D.
    */
   template<int dim>
   class SlipDirectionStiffness
@@ -45,6 +49,7 @@ namespace Contact
       Tensor<1, dim - 1> rotation;
       Tensor<2, dim - 1> of_slip;
       Tensor<1, dim - 1> shear_at_rest;
+      bool               is_elastic; // sticks with elastic slip
 
       std::vector<types::global_dof_index> dofs = {};
       FullMatrix<double> stiffness = FullMatrix<double>(); // [N/mm]
@@ -72,6 +77,7 @@ namespace Contact
     struct Turned
     {
       Tensor<1, dim - 1> rotation, shear;
+      bool               is_elastic = false;
     };
 
     static std::vector<Turned>

@@ -184,7 +184,8 @@ namespace Contact
 
   bool SaddlePointSystem::has_frozen_geometry() const
   {
-    return elasticity.is_linear() && !linearization.moving_geometry;
+    return elasticity.is_linear() && !linearization.moving_geometry &&
+           !(interface && interface->has_elastic_slip());
   }
 
 
@@ -311,7 +312,8 @@ namespace Contact
         factorized_version != elasticity.tangent_version() ||
         (interface && factorized_statuses != interface->active_set.signature()))
       return false;
-    if (elasticity.is_linear() && !geometry_follows)
+    if (elasticity.is_linear() && !geometry_follows &&
+        !(interface && interface->has_elastic_slip()))
       return true;
     return interface && keeps_factorization && residual < 0.1 * last_residual;
   }
