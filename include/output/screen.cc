@@ -79,7 +79,7 @@ namespace Contact
     std::string six_digits(const double value)
     {
       std::ostringstream out;
-      out << std::setprecision(6) << value;
+      out << std::setprecision(6) << (std::abs(value) < 1e-99 ? 0 : value);
       return out.str();
     }
 
@@ -104,7 +104,7 @@ namespace Contact
 
 
     const std::size_t widest_line     = 110;
-    const std::size_t width_of_number = 12; // six digits, sign and exponent
+    const std::size_t width_of_number = 12; // six digits, sign, two of the exponent
     const std::size_t width_of_time   = 9;
   } // namespace
 

@@ -86,9 +86,9 @@ namespace Contact
 
     // The slave nodes that supports hold along the normal, and alike the node
     // of the master opposite, in the wall that both bodies are clamped in.
-    // There the surfaces keep their distance. The weighted gap of the node has
-    // the nodes around it as well, and they would have to bend for the polygons
-    // to agree: a pressure that grows without bound as the edges get shorter.
+    // There the surfaces keep their distance. The weighted gap has the nodes
+    // around as well, which would have to bend for the polygons to agree: a
+    // pressure without bound as the edges get shorter.
     template<int dim>
     std::set<unsigned int>
     nodes_held_with_master(const Surface<dim>           &slave,
@@ -127,16 +127,16 @@ namespace Contact
 
 
 
-    // The slave nodes that are tied, or on a rigid boundary.
+    // Slave nodes that are tied, or on a rigid boundary.
     template<int dim>
     std::set<unsigned int>
     nodes_held_otherwise(const Surface<dim>           &slave,
                          const DiscretizedBodies<dim> &discretization)
     {
       std::set<types::global_dof_index> tied;
-      for (const auto &[dof, leader] : discretization.tied())
-        tied.insert({dof, leader});
-      std::set<unsigned int> held;
+      std::set<unsigned int>            held;
+      for (const auto &dofs : discretization.tied())
+        tied.insert({dofs.first, dofs.second});
       for (unsigned int i = 0; i < slave.nodes.size(); ++i)
         for (const auto dof : slave.nodes[i].dofs)
           if (tied.count(dof) > 0 || discretization.is_rigid(dof))
@@ -203,14 +203,12 @@ namespace Contact
                excluded,
                discretization,
                parameters);
-    const bool is_mortar =
-      master &&
-      parameters.discretization == Parameters::ContactDiscretization::mortar;
-    if (is_mortar && !tied && !itself)
+    const bool has_mortars = master && is_mortar();
+    if (has_mortars && !tied && !itself)
       excluded.merge(nodes_held_with_master(slave, *master, discretization));
     // Over a ring, the shape function of degree 2 of a node on the axis has the
     // integral zero: it has no dual function.
-    if (slave.degree == 2 && is_mortar)
+    if (slave.degree == 2 && has_mortars)
       for (unsigned int i = 0; i < slave.nodes.size(); ++i)
         if (discretization.is_on_axis(slave.nodes[i].X) &&
             excluded.count(i) == 0)
