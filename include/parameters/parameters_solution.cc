@@ -121,7 +121,8 @@ namespace Contact
                         "5000; in large displacement 100000 and 10000) on if "
                         "the mesh is a refined one and the scene one for it, "
                         "else CHOLMOD below 100000 (in 3-D "
-                        "25000) on one rank and AMG beyond; for saddle point "
+                        "25000, with friction 50000) on one rank and AMG "
+                        "beyond; for saddle point "
                         "systems UMFPACK below 30000 unknowns, and beyond "
                         "CHOLMOD for the bodies and LAPACK for the contact, if "
                         "its unknowns are few.");

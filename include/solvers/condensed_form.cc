@@ -299,7 +299,8 @@ namespace Contact
     return DefiniteSolver::choose(dim,
                                   model.n_displacements(),
                                   Utilities::MPI::n_mpi_processes(
-                                    model.discretization->communicator));
+                                    model.discretization->communicator),
+                                  model.has_friction());
   }
 
 

@@ -97,9 +97,12 @@ namespace Contact
 
   Parameters::SolverKind DefiniteSolver::choose(const unsigned int dimension,
                                                 const std::size_t  n_unknowns,
-                                                const unsigned int n_ranks)
+                                                const unsigned int n_ranks,
+                                                const bool         has_friction)
   {
-    const std::size_t as_fast = dimension == 2 ? 100000 : 25000;
+    const std::size_t as_fast = dimension == 2 ? 100000
+                                : has_friction ? 50000
+                                               : 25000;
     return n_ranks == 1 && n_unknowns < as_fast
              ? Parameters::SolverKind::cholmod
              : Parameters::SolverKind::amg;

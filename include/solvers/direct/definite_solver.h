@@ -66,14 +66,16 @@ namespace Contact
 
     /**
      * The meaning of "automatic". In two dimensions CHOLMOD is as fast as AMG
-     * at a hundred thousand unknowns, in three at some twenty-five thousand
-     * (hexahedra with friction even beyond thirty thousand), and faster the
-     * more often an analysis or a factorization serves; beyond, its time and
-     * memory grow faster.
+     * at a hundred thousand unknowns, in three at some twenty-five thousand,
+     * with friction at some fifty thousand: at thirty thousand AMG takes
+     * hundreds of iterations where points begin to slip, and twice the time.
+     * CHOLMOD is faster the more often an analysis or a factorization serves;
+     * beyond, its time and memory grow faster.
      */
     static Parameters::SolverKind choose(const unsigned int dimension,
                                          const std::size_t  n_unknowns,
-                                         const unsigned int n_ranks);
+                                         const unsigned int n_ranks,
+                                         const bool         has_friction);
 
     explicit DefiniteSolver(Counters &counters)
       : counters(counters)
