@@ -166,6 +166,40 @@ namespace Contact
 
 
 
+    // Where contact ends between nodes of the slave, few of them do not resolve
+    // it: five under the cylinder of Hertz have a peak that is 13 % off, six
+    // under a ball in a groove an area and a force that are 70 % off.
+    template<int dim>
+    void add_notes_on_few_nodes(const Parameters::All       &parameters,
+                                const ContactInterface<dim> &interface,
+                                Findings                    &findings)
+    {
+      const unsigned int few     = dim == 2 ? 5 : 20;
+      const auto         entries = parameters.pairs();
+      for (unsigned int z = 0; z < entries.size(); ++z)
+        {
+          unsigned int n_active = 0, n_facing = 0;
+          for (const ContactPoint<dim> &point :
+               interface.pairs[z]->points_of_slave(interface.points()))
+            {
+              n_facing += point.facing;
+              n_active += point.facing && point.status.kind != Status::open;
+            }
+          if (!entries[z].tied && n_active > 0 && n_active <= few &&
+              n_active < n_facing)
+            findings.push_back(
+              {"only " + std::to_string(n_active) +
+               (n_active == 1 ? " node" : " nodes") + " of '" +
+               entries[z].slave +
+               "' are in contact, which ends between them: pressures there "
+               "follow the mesh" +
+               (dim == 3 ? ", and of round bodies forces, too" : "") +
+               ". Refine the slave"});
+        }
+    }
+
+
+
     /// How bodies in large displacement have turned, those of one piece: the
     /// pieces of others turn each by itself.
     template<int dim>
@@ -347,6 +381,7 @@ namespace Contact
       return findings;
     add_notes_on_roundness(parameters, model, solution, findings);
     add_notes_on_held_nodes(parameters, *model.interface, solution, findings);
+    add_notes_on_few_nodes(parameters, *model.interface, findings);
     const double round_off = round_off_force(model, solution, summary);
     add_note_on_idleness(summary,
                          *model.interface,
