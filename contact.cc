@@ -819,6 +819,10 @@ namespace Contact
           }
         record.linear_iterations += newton.make_step();
         ++record.newton_iterations;
+        // Steps under statuses that do not settle throw a body about.
+        if (!system->statuses_settle() && stabilization.may_help())
+          throw NotConverged("contact alone holds a body, and the statuses of "
+                             "its points do not settle");
       }
   }
 

@@ -141,6 +141,20 @@ namespace Contact
 
 
 
+  double parse_length(const std::string &length, const double whole)
+  {
+    if (length.empty())
+      return 0;
+    std::string unit;
+    double      value = 0;
+    std::istringstream(length) >> value >> unit;
+    if (!(value > 0) || !std::isfinite(value) || (!unit.empty() && unit != "%"))
+      throw std::runtime_error("'" + length + "' is no length above 0");
+    return unit.empty() ? value : value / 100 * whole;
+  }
+
+
+
   bool is_table(const std::string &history)
   {
     const std::string text = Utilities::trim(history);

@@ -43,6 +43,10 @@ namespace Contact
   std::function<double(const Point<1> &)>
   parse_history(const std::string &history, const std::string &entry);
 
+  /// A length above zero [mm], or with "%" a share of a @p whole; of an empty
+  /// text zero. Throws std::runtime_error if it cannot be read.
+  double parse_length(const std::string &length, const double whole);
+
   /// Whether a history is meant to be a table.
   bool is_table(const std::string &history);
 } // namespace Contact

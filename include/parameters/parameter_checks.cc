@@ -11,9 +11,11 @@
 #include <algorithm>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 #include "base/string_utilities.h"
 #include "parameters/entry_checks.h"
+#include "parameters/formula.h"
 #include "parameters/parameters.h"
 
 namespace Contact
@@ -164,27 +166,19 @@ namespace Contact
                          {section() + "/Elastic slip",
                           tied ? section() + "/Tied" : coulomb},
                          "remove the entry, or make it contact with friction");
-      elastic_slip_of(1.);
-    }
-
-
-
-    double Contact::elastic_slip_of(const double edge_length) const
-    {
-      if (elastic_slip.empty())
-        return 0;
-      std::string unit;
-      double      value = 0;
-      std::istringstream(elastic_slip) >> value >> unit;
-      if (!(value > 0) || !std::isfinite(value) ||
-          (!unit.empty() && unit != "%"))
-        throw EntryError("The elastic slip " + in_quotes(elastic_slip) +
-                           " is no length above 0.",
-                         {section() + "/Elastic slip"},
-                         "give a length [mm] as '0.001', or a share of the "
-                         "slave's edge as '0.5 %'; leave it empty for exact "
-                         "sticking");
-      return unit.empty() ? value : value / 100 * edge_length;
+      try
+        {
+          parse_length(elastic_slip, 1);
+        }
+      catch (const std::runtime_error &)
+        {
+          throw EntryError("The elastic slip " + in_quotes(elastic_slip) +
+                             " is no length above 0.",
+                           {section() + "/Elastic slip"},
+                           "give a length [mm] as '0.001', or a share of the "
+                           "slave's edge as '0.5 %'; leave it empty for exact "
+                           "sticking");
+        }
     }
 
 

@@ -336,10 +336,6 @@ namespace Contact
       /// slave's edge with "%". Empty: exact sticking.
       std::string elastic_slip;
 
-      /// The same of a point whose edge has this length [mm]; 0: none. Throws
-      /// an EntryError if it cannot be read.
-      double elastic_slip_of(const double edge_length) const;
-
       /// The parameter c of the augmented Lagrangian, by the stiffness E/h of
       /// the slave's edge [-]. The active set of the nodal and mortar
       /// discretizations does not depend on it; with a status per Gauss point

@@ -339,7 +339,8 @@ namespace Contact
           point.multipliers[k] += first_multiplier;
         point.augmentation_parameter =
           augmentation_parameter * stiffness(point);
-        point.elastic_slip   = parameters.elastic_slip_of(edge_length(point));
+        point.elastic_slip =
+          parse_length(parameters.elastic_slip, edge_length(point));
         point.friction_bound = law.bound(0);
       }
     return points;

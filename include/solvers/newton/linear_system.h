@@ -97,6 +97,13 @@ namespace Contact
                                    GhostedVector       &rhs,
                                    IncrementState<dim> &state) = 0;
 
+    /// Whether the statuses of the points have settled in the linear problems
+    /// of all steps, where they are searched with the multipliers.
+    virtual bool statuses_settle() const
+    {
+      return true;
+    }
+
     /// Make the tangent of a state, of which tangent_is_indefinite() is to
     /// tell, without a step. Throws NotConverged if it is not definite.
     virtual void renew_tangent(const IncrementState<dim> &)

@@ -56,6 +56,13 @@ namespace Contact
     /// unknown [N per mm of thickness]; none if nothing was held. Collective.
     GhostedVector release(const IncrementState<dim> &state);
 
+    /// Whether contact alone holds a piece, without springs. Collective.
+    bool may_help() const
+    {
+      return held.empty() &&
+             !rigid_body_modes<dim>(*model.discretization, nullptr).empty();
+    }
+
     /// Stiffer springs after soft ones, on which bodies have gone astray: a
     /// long way takes more iterations on these. After stiffer ones soft ones,
     /// for smaller steps. Returns whether they are stiffer now.

@@ -56,6 +56,11 @@ namespace Contact
       searches = true;
     }
 
+    bool statuses_settle() const override
+    {
+      return searches;
+    }
+
     unsigned int make_step(const Step        &step,
                            GhostedVector     &rhs,
                            IncrementState<2> &state) override;
