@@ -423,6 +423,7 @@ def places():
             ("with no face", "Base: y < -1", "no outer face"),
             ("of no body", "Base in C: y < 1", "no outer face"),
             ("that cannot be read", "Base: y <", "Mesh/Faces"),
+            ("that is assigned", "Base: y = 0", "single '='"),
             ("with a name of the file", "Head: y > 4.99", "is a group 'Head'")):
         status, said, _ = run("named", {
             **two, "Mesh/File": "named.msh", "Mesh/Faces": faces})

@@ -29,7 +29,19 @@ namespace Contact
                          {"Mesh/File"},
                          "set 'File' in section 'Mesh' to a gmsh file");
       for (const auto &[name, condition] : faces)
-        check_place_formula(condition, "Mesh/Faces");
+        {
+          check_place_formula(condition, "Mesh/Faces");
+          // An assignment, which is the value and no condition.
+          for (std::size_t i = 0; i < condition.size(); ++i)
+            if (condition[i] == '=' && condition[i + 1] != '=' &&
+                (i == 0 || std::string("<>=!").find(condition[i - 1]) ==
+                             std::string::npos))
+              throw EntryError("The condition " + in_quotes(condition) +
+                                 " has a single '='.",
+                               {"Mesh/Faces"},
+                               "leave room for round-off, as in 'y > 9.99' or "
+                               "'abs(x) < 0.01'");
+        }
       check_round_surfaces();
     }
 

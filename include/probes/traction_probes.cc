@@ -164,15 +164,13 @@ namespace Contact
 
 
 
-    /// The same of a place that check_contact_traction() has found on a first
-    /// mesh, on the sides with the largest pressure.
+    /// A place that check_contact_traction() has found on a first mesh.
     template<int dim>
-    std::vector<PlaceOnSlave<dim>>
-    pressed_on_slaves(const Place<dim>            &place,
-                      const ContactInterface<dim> *interface,
-                      const GhostedVector         &solution)
+    PlaceOnSlave<dim> on_slave(const Place<dim>            &place,
+                               const ContactInterface<dim> *interface,
+                               const GhostedVector         &solution)
     {
-      auto found = on_slaves(place, interface);
+      const auto found = on_slaves(place, interface);
       if (found.empty())
         throw InputError(
           "a place of a probe is on a side of the slave on the first mesh, and "
@@ -180,9 +178,9 @@ namespace Contact
             why_no_multiplier(place, interface),
           "Probes/Probes, pressure or shear",
           "give a place on the round side itself, or on a flat one");
-      for (PlaceOnSlave<dim> &here : found)
-        choose_side(place, *interface, solution, here);
-      return found;
+      PlaceOnSlave<dim> here = found.front();
+      choose_side(place, *interface, solution, here);
+      return here;
     }
   } // namespace
 
@@ -209,7 +207,13 @@ namespace Contact
                          "': " + why_no_multiplier(place, interface),
                        "Probes/Probes, '" + probe + "'",
                        "name a point group on a slave, or a stress");
-    if (found.size() > 1 && quantity == Quantity::shear)
+    if (found[0].contact_pair->itself)
+      throw InputError("the point '" + point +
+                         "' is on a surface in contact with itself, where one "
+                         "of two sides has the tractions, the program's choice",
+                       "Probes/Probes, '" + probe + "'",
+                       "name two groups as slave and master, or a stress");
+    if (found.size() > 1)
       throw InputError("the point '" + point + "' has a " +
                          Choice<Quantity>(quantity).name() +
                          " of contact in two contact pairs, '" +
@@ -255,26 +259,24 @@ namespace Contact
   {
     if (interface == nullptr)
       return 0;
-    const bool is_normal = quantity != Quantity::shear;
+    const auto              found        = on_slave(place, interface, solution);
+    const ContactPair<dim> &contact_pair = *found.contact_pair;
+    const bool              is_normal    = quantity != Quantity::shear;
+    const auto              of_corners =
+      corner_tractions(*interface, contact_pair, solution);
+    const auto stretches = quantity == Quantity::true_pressure
+                             ? contact_pair.slave.stretches(solution)
+                             : std::vector<double>();
     double     sum       = 0;
-    for (const auto &[contact_pair, nodes] :
-         pressed_on_slaves(place, interface, solution))
+    for (const auto &[n, weight] : found.nodes)
       {
-        const auto of_corners =
-          corner_tractions(*interface, *contact_pair, solution);
-        const auto stretches = quantity == Quantity::true_pressure
-                                 ? contact_pair->slave.stretches(solution)
-                                 : std::vector<double>();
-        for (const auto &[n, weight] : nodes)
-          {
-            const double of_multiplier =
-              is_normal ? pressure_at(*interface, *contact_pair, n, solution)
-                        : shear_of_node(*interface, *contact_pair, n, solution);
-            const double of_corner =
-              of_corners.empty() ? 0. : of_corners[n][is_normal ? 0 : 1];
-            sum += weight * (of_multiplier + of_corner) /
-                   (stretches.empty() ? 1. : stretches[n]);
-          }
+        const double of_multiplier =
+          is_normal ? pressure_at(*interface, contact_pair, n, solution)
+                    : shear_of_node(*interface, contact_pair, n, solution);
+        const double of_corner =
+          of_corners.empty() ? 0. : of_corners[n][is_normal ? 0 : 1];
+        sum += weight * (of_multiplier + of_corner) /
+               (stretches.empty() ? 1. : stretches[n]);
       }
     return sum;
   }
@@ -289,22 +291,21 @@ namespace Contact
                                const GhostedVector         &solution,
                                GhostedVector               &derivative)
   {
-    for (const auto &[contact_pair, nodes] :
-         pressed_on_slaves(place, &interface, solution))
-      for (const auto &[n, weight] : nodes)
-        {
-          const unsigned int k = multiplier_at(interface, *contact_pair, n);
-          if (quantity != Quantity::pressure)
-            {
-              if (!contact_pair->law.is_frictionless() &&
-                  k != numbers::invalid_unsigned_int)
-                derivative[interface.tangential_index(k)] += factor * weight;
-            }
-          else
-            for (const auto &[m, part] : contact_pair->pressure_at(n))
-              derivative[interface.normal_index(
-                interface.acting_multiplier(m))] += factor * weight * part;
-        }
+    const auto [contact_pair, nodes] = on_slave(place, &interface, solution);
+    for (const auto &[n, weight] : nodes)
+      {
+        const unsigned int k = multiplier_at(interface, *contact_pair, n);
+        if (quantity != Quantity::pressure)
+          {
+            if (!contact_pair->law.is_frictionless() &&
+                k != numbers::invalid_unsigned_int)
+              derivative[interface.tangential_index(k)] += factor * weight;
+          }
+        else
+          for (const auto &[m, part] : contact_pair->pressure_at(n))
+            derivative[interface.normal_index(
+              interface.acting_multiplier(m))] += factor * weight * part;
+      }
   }
 
   template void   check_contact_traction(const std::string &,

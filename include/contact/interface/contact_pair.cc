@@ -187,7 +187,7 @@ namespace Contact
     , parameters(parameters)
   {
     if (parameters.is_with_itself())
-      itself.emplace(slave, *master);
+      itself.emplace(slave, *master, dim == 3 && is_mortar() ? 2 : 1);
     else if (master)
       {
         check_surfaces(slave, *master, discretization, parameters);

@@ -10,6 +10,8 @@
 #include <optional>
 #include <set>
 
+#include "contact/surfaces/surface_checks.h"
+
 namespace Contact
 {
   namespace
@@ -34,6 +36,7 @@ namespace Contact
     : slave(slave)
     , master(master)
     , discretization(discretization)
+    , is_with_itself(overlap(slave, master))
     , carries(slave.facets.size())
   {
     for (unsigned int e = 0; e < slave.facets.size(); ++e)
@@ -206,6 +209,21 @@ namespace Contact
 
 
 
+  unsigned int
+  MortarDiscretization<2>::place_of(const SurfaceNode<2>  &node,
+                                    const ContactPoint<2> &point) const
+  {
+    return std::find_if(point.nodes.begin(),
+                        point.nodes.end(),
+                        [&](const SurfaceNode<2> *other) {
+                          return is_with_itself ? other->dofs == node.dofs
+                                                : other == &node;
+                        }) -
+           point.nodes.begin();
+  }
+
+
+
   void MortarDiscretization<2>::add_nodes(const MortarPairing<double> &pairing,
                                           ContactPoint<2> &point) const
   {
@@ -216,7 +234,11 @@ namespace Contact
         point.add_node(slave.nodes[a], c);
     point.n_slave_nodes = point.n_nodes;
     for (const auto &[m, c] : pairing.master)
-      point.add_node(master.nodes[m], c);
+      if (const unsigned int a = place_of(master.nodes[m], point);
+          a < point.n_slave_nodes)
+        point.C[a] += c;
+      else
+        point.add_node(master.nodes[m], c);
   }
 
 
@@ -284,12 +306,9 @@ namespace Contact
                                       const auto       &all) {
       for (const auto &[i, c] : all)
         {
-          const unsigned int a = std::find(point.nodes.begin(),
-                                           point.nodes.end(),
-                                           &surface.nodes[i]) -
-                                 point.nodes.begin();
+          const unsigned int a = place_of(surface.nodes[i], point);
           for (unsigned int j = 0; j < n && a < point.n_nodes; ++j)
-            change.C(a, j) = c.dx(j);
+            change.C(a, j) += c.dx(j);
         }
     };
     add_coefficients(slave, pairing.slave);

@@ -103,6 +103,11 @@ namespace Contact
     bool is_on_symmetry_line(const ContactPoint<2> &point,
                              const GhostedVector   &u) const;
 
+    /// The number of a node in the list of a point, or that of all. Near a fold
+    /// of a surface in contact with itself a node is on both sides.
+    unsigned int place_of(const SurfaceNode<2>  &node,
+                          const ContactPoint<2> &point) const;
+
     void add_nodes(const MortarPairing<double> &pairing,
                    ContactPoint<2>             &point) const;
 
@@ -122,6 +127,7 @@ namespace Contact
     const Surface<2>           &slave;
     const Surface<2>           &master;
     const DiscretizedBodies<2> &discretization;
+    const bool                  is_with_itself;
 
     /// Whether a node of a slave edge carries a multiplier, as that edge sees
     /// it.

@@ -38,7 +38,21 @@ namespace Contact
           direction += part * basis.back();
           part *= golden;
         }
-      return direction;
+      return direction / direction.norm();
+    }
+
+
+
+    /// The outward unit normal at a place of a facet.
+    template<int dim>
+    Tensor<1, dim> undeformed_normal(const Surface<dim>    &surface,
+                                     const unsigned int     facet,
+                                     const FacetPoint<dim> &xi)
+    {
+      PerFacetNode<dim, Point<dim>> X;
+      for (unsigned int a = 0; a < surface.facets[facet].n_nodes(); ++a)
+        X[a] = surface.nodes[surface.facets[facet].nodes[a]].X;
+      return facet_normal<dim>(*surface.facets[facet].kind, X, xi);
     }
 
 
@@ -65,39 +79,44 @@ namespace Contact
   // The slave is cut at corners, the master is not.
   template<int dim>
   SelfContact<dim>::SelfContact(const Surface<dim> &slave,
-                                const Surface<dim> &master)
+                                const Surface<dim> &master,
+                                const unsigned int  n_rings)
   {
     const Tensor<1, dim> direction = oblique_direction(master);
-    for (const SurfaceFacet<dim> &facet : slave.facets)
-      slave_places.push_back(direction * facet.middle);
+    const auto           along     = [&](const Surface<dim> &surface) {
+      std::vector<Along> all;
+      for (unsigned int e = 0; e < surface.facets.size(); ++e)
+        all.push_back(
+          {direction * surface.facets[e].middle,
+           direction *
+             undeformed_normal(surface, e, surface.facets[e].kind->middle)});
+      return all;
+    };
+    of_slave  = along(slave);
+    of_master = along(master);
     std::map<FacetName<dim>, unsigned int> by_name;
     for (unsigned int m = 0; m < master.facets.size(); ++m)
-      {
-        master_places.push_back(direction * master.facets[m].middle);
-        by_name[master.facets[m].name] = m;
-      }
+      by_name[master.facets[m].name] = m;
     for (const SurfaceFacet<dim> &facet : slave.facets)
-      around.push_back(
-        facets_around(master, facets_around(master, {by_name.at(facet.name)})));
+      {
+        around.push_back({by_name.at(facet.name)});
+        for (unsigned int ring = 0; ring < n_rings; ++ring)
+          around.back() = facets_around(master, around.back());
+      }
   }
+
+
 
   template<int dim>
   bool SelfContact<dim>::are_back_to_back(const SurfacePlace<dim> &place,
                                           const SurfacePlace<dim> &other)
   {
-    const double                  cosine = 0.5, part = 0.1;
-    const Tensor<1, dim>          r = place.X() - other.X();
-    PerFacetNode<dim, Point<dim>> X;
-    for (unsigned int a = 0; a < other.surface.facets[other.facet].n_nodes();
-         ++a)
-      X[a] = other.surface.nodes[other.surface.facets[other.facet].nodes[a]].X;
-    const Tensor<1, dim> normal =
-      facet_normal<dim>(*other.surface.facets[other.facet].kind, X, other.xi);
-    return r * normal < -cosine * r.norm() &&
+    const double         round_off = 1e-8, part = 0.1;
+    const Tensor<1, dim> r = place.X() - other.X();
+    return r * undeformed_normal(other.surface, other.facet, other.xi) <
+             -round_off * r.norm() &&
            place.x.distance(other.x) > part * r.norm();
   }
-
-
 
   template class SelfContact<2>;
   template class SelfContact<3>;
