@@ -166,8 +166,8 @@ namespace Contact
 
 
 
-    // Where contact ends between nodes of the slave, few of them do not resolve
-    // it: five under the cylinder of Hertz have a peak that is 13 % off, six
+    // Few nodes of the slave do not resolve a contact that ends between them:
+    // five under the cylinder of Hertz have a peak that is 13 % off, six
     // under a ball in a groove an area and a force that are 70 % off.
     template<int dim>
     void add_notes_on_few_nodes(const Parameters::All       &parameters,

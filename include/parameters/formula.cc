@@ -145,12 +145,14 @@ namespace Contact
   {
     if (length.empty())
       return 0;
-    std::string unit;
-    double      value = 0;
-    std::istringstream(length) >> value >> unit;
-    if (!(value > 0) || !std::isfinite(value) || (!unit.empty() && unit != "%"))
+    std::istringstream text(length);
+    double             value = 0;
+    text >> value >> std::ws;
+    const bool is_share = text.peek() == '%';
+    text.ignore(is_share) >> std::ws;
+    if (!(value > 0) || !std::isfinite(value) || !text.eof())
       throw std::runtime_error("'" + length + "' is no length above 0");
-    return unit.empty() ? value : value / 100 * whole;
+    return is_share ? value / 100 * whole : value;
   }
 
 

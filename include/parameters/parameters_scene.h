@@ -332,8 +332,8 @@ namespace Contact
       double friction_coefficient = 0; // Coulomb [-]
       double tresca_limit         = 0; // [MPa]; instead of Coulomb
 
-      /// Where the shear reaches the bound: a length [mm], or a share of the
-      /// slave's edge with "%". Empty: exact sticking.
+      /// The slip at which the shear reaches the bound: a length [mm], or a
+      /// share of the slave's edge with "%". Empty: exact sticking.
       std::string elastic_slip;
 
       /// The parameter c of the augmented Lagrangian, by the stiffness E/h of

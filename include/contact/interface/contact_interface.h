@@ -239,7 +239,7 @@ namespace Contact
                          });
     }
 
-    /// What elastic slip makes of a shear: bound b [MPa], stiffness b/e
+    /// The terms of a shear with elastic slip: bound b [MPa], stiffness b/e
     /// [MPa/mm], kappa and zeta.
     struct ElasticShear
     {

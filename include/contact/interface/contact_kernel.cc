@@ -162,7 +162,7 @@ namespace Contact
 
 
 
-  // What kappa changes by is zero where a point sticks.
+  // The change of kappa does nothing where a point sticks.
   template<int dim>
   void ContactKernel<dim>::follow_elastic_slip(const ContactPoint<dim> &point,
                                                const ContactState<dim> &now,

@@ -175,10 +175,11 @@ namespace Contact
   {
     std::vector<Point<3>> x;
     NormalCone<3>         directions;
-    directions.normals  = {now.slave_middles[e]};
-    directions.partners = [&](const unsigned int m) {
-      return bodies.may_face(e, m);
-    };
+    directions.normals = {now.slave_middles[e]};
+    if (bodies.is_with_itself())
+      directions.partners = [&](const unsigned int m) {
+        return bodies.may_face(e, m);
+      };
 
     double distance = 0;
     for (unsigned int a = 0; a < slave.facets[e].n_nodes(); ++a)

@@ -27,7 +27,7 @@ namespace Contact
                                     const unsigned int       of_place,
                                     const SurfacePlace<dim> &other) const
   {
-    if (itself != nullptr)
+    if (is_with_itself())
       return !SelfContact<dim>::are_back_to_back(place, other);
     const Point<dim> middle = place.x + 0.5 * (other.x - place.x);
     return is_inside(place.x, 1 - of_place) && is_inside(other.x, of_place) &&

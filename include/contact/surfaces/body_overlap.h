@@ -35,11 +35,17 @@ namespace Contact
                 const GhostedVector    &u,
                 const SelfContact<dim> *itself = nullptr);
 
+    /// Whether slave and master are one surface.
+    bool is_with_itself() const
+    {
+      return itself != nullptr;
+    }
+
     /// Whether a facet of the slave may face one of the master.
     bool may_face(const unsigned int slave_facet,
                   const unsigned int master_facet) const
     {
-      return itself == nullptr || itself->may_face(slave_facet, master_facet);
+      return !is_with_itself() || itself->may_face(slave_facet, master_facet);
     }
 
     /// Whether the bodies overlap between a place of the body @p of_x and a

@@ -25,8 +25,8 @@ namespace Contact
    * steps, within a tenth, the tangent knows nothing of what holds it: more
    * steps do not help, unless the pairing has been frozen meanwhile.
    *
-   * Where the residuals of twenty steps repeat those of one to eight steps
-   * before, within a thousandth, the next ones will, too.
+   * Circles: residuals of twenty steps that repeat those of one to eight steps
+   * before, within a thousandth, go on like that.
    *
    * Cycles: all points change their status at once. If their number has not
    * come below its minimum for ten steps in which points change at all, one
