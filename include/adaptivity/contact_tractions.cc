@@ -93,6 +93,7 @@ namespace Contact
     const ContactPair<dim>      &contact_pair,
     const GhostedVector         &solution)
     : discretization(discretization)
+    , contact_pair(contact_pair)
     , slave(contact_pair.slave)
     , solution(solution)
     , slave_now(slave, solution)
@@ -101,15 +102,14 @@ namespace Contact
   {
     if (contact_pair.master)
       master_facets = name_facets(*contact_pair.master);
-    find_values(interface, contact_pair);
+    find_values(interface);
   }
 
 
 
   template<int dim>
   void
-  ContactTractions<dim>::find_values(const ContactInterface<dim> &interface,
-                                     const ContactPair<dim>      &contact_pair)
+  ContactTractions<dim>::find_values(const ContactInterface<dim> &interface)
   {
     const bool has_shear = !contact_pair.law.is_frictionless();
     if constexpr (dim == 2)
@@ -154,14 +154,20 @@ namespace Contact
                                     const FacetPlace<dim> &place,
                                     const double           reach) const
   {
-    const auto own = slave_facets.find(name);
-    if (own != slave_facets.end())
-      return in_frame(place,
-                      interpolate(own->second, place),
-                      /*is_slave=*/true);
-    if (master_facets.count(name) > 0)
-      return of_facing_slave(place, reach);
-    return Tensor<1, dim>();
+    // A surface in contact with itself is both.
+    Tensor<1, dim> sum;
+    if (const auto own = slave_facets.find(name); own != slave_facets.end())
+      sum = in_frame(place,
+                     interpolate(own->second, place),
+                     /*is_slave=*/true);
+    if (const auto own = master_facets.find(name); own != master_facets.end())
+      {
+        const auto facing = of_facing_slave(own->second, place, reach);
+        if (!facing)
+          return {};
+        sum += *facing;
+      }
+    return sum;
   }
 
 
@@ -185,10 +191,15 @@ namespace Contact
   // Both sides agree on the force by deformed area.
   template<int dim>
   std::optional<Tensor<1, dim>>
-  ContactTractions<dim>::of_facing_slave(const FacetPlace<dim> &place,
+  ContactTractions<dim>::of_facing_slave(const unsigned int     master_facet,
+                                         const FacetPlace<dim> &place,
                                          const double           reach) const
   {
-    const Projection<dim> projection = slave_now.closest_point(place.x);
+    const Projection<dim> projection =
+      contact_pair.facing_slave(slave_now,
+                                place.x,
+                                {{place.area / place.area.norm()}},
+                                {master_facet});
     if (projection.beyond_end ||
         slave_now.distance_square(place.x, projection) > reach * reach)
       return Tensor<1, dim>();

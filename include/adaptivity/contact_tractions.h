@@ -75,16 +75,18 @@ namespace Contact
 
   private:
     /// The values at the nodes that in_frame() knows.
-    void find_values(const ContactInterface<dim> &interface,
-                     const ContactPair<dim>      &contact_pair);
+    void find_values(const ContactInterface<dim> &interface);
 
     Tensor<1, dim> interpolate(const unsigned int     facet,
                                const FacetPlace<dim> &place) const;
 
-    std::optional<Tensor<1, dim>> of_facing_slave(const FacetPlace<dim> &place,
-                                                  const double reach) const;
+    std::optional<Tensor<1, dim>>
+    of_facing_slave(const unsigned int     master_facet,
+                    const FacetPlace<dim> &place,
+                    const double           reach) const;
 
     const Discretization<dim>             &discretization;
+    const ContactPair<dim>                &contact_pair;
     const Surface<dim>                    &slave;
     const GhostedVector                   &solution;
     const DeformedSurface<dim>             slave_now;

@@ -289,11 +289,16 @@ namespace Contact
     const Surface<dim> &master = *contact_pair.master;
     auto rows = make_rows(master, discretization, vertex_stresses, solution);
 
-    const DeformedSurface<dim> slave_now(contact_pair.slave, solution);
+    const DeformedSurface<dim>        slave_now(contact_pair.slave, solution);
+    const std::vector<Tensor<1, dim>> normals =
+      DeformedSurface<dim>(master, solution).normals();
     for (unsigned int n = 0; n < rows.size(); ++n)
       {
         const Projection<dim> place =
-          slave_now.closest_point(master.position(n, solution));
+          contact_pair.facing_slave(slave_now,
+                                    master.position(n, solution),
+                                    {{normals[n]}},
+                                    master.facets_of_node[n]);
         if (!place.beyond_end)
           interpolate(contact_pair.slave, slave, place, rows[n]);
       }

@@ -172,6 +172,18 @@ namespace Contact
     /// the point belongs to.
     double stiffness(const ContactPoint<dim> &point) const;
 
+    /**
+     * The place of the slave, deformed, that faces a node or a place of a facet
+     * of the master; off the end if there is none. It is the closest one; of a
+     * surface in contact with itself, where that is the place itself, the
+     * closest of those that face it.
+     */
+    Projection<dim>
+    facing_slave(const DeformedSurface<dim>      &slave_now,
+                 const Point<dim>                &x,
+                 const NormalCone<dim>           &normals,
+                 const std::vector<unsigned int> &master_facets) const;
+
     /// Whether there are points at corners of the master.
     bool has_corner_points() const
     {

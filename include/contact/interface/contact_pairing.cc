@@ -190,6 +190,28 @@ namespace Contact
 
 
 
+  template<int dim>
+  Projection<dim> ContactPair<dim>::facing_slave(
+    const DeformedSurface<dim>      &slave_now,
+    const Point<dim>                &x,
+    const NormalCone<dim>           &normals,
+    const std::vector<unsigned int> &master_facets) const
+  {
+    if (!itself)
+      return slave_now.closest_point(x);
+    NormalCone<dim> here = normals;
+    here.partners        = [&](const unsigned int slave_facet) {
+      return std::any_of(master_facets.begin(),
+                         master_facets.end(),
+                         [&](const unsigned int m) {
+                           return itself->may_face(slave_facet, m);
+                         });
+    };
+    return slave_now.closest_facing(x, here);
+  }
+
+
+
   // In 2-D the kernel finds the derivatives.
   template<>
   void ContactPair<2>::differentiate(ContactPoint<2> &,
@@ -223,6 +245,16 @@ namespace Contact
   template bool ContactPair<3>::pair(const ArrayView<ContactPoint<3>> &,
                                      const GhostedVector &,
                                      const PairingMode &) const;
+  template Projection<2>
+  ContactPair<2>::facing_slave(const DeformedSurface<2> &,
+                               const Point<2> &,
+                               const NormalCone<2> &,
+                               const std::vector<unsigned int> &) const;
+  template Projection<3>
+                ContactPair<3>::facing_slave(const DeformedSurface<3> &,
+                               const Point<3> &,
+                               const NormalCone<3> &,
+                               const std::vector<unsigned int> &) const;
   template bool ContactPair<2>::project(const ArrayView<ContactPoint<2>> &,
                                         const GhostedVector &,
                                         const PairingMode &) const;
