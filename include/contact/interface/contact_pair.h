@@ -126,6 +126,10 @@ namespace Contact
               const GhostedVector                &u,
               const PairingMode                  &mode) const;
 
+    /// An increment begins where the points have been paired last: what a
+    /// discretization has chosen there, it keeps.
+    void begin_increment() const;
+
     /// The same by the closest points of the master, wherever on the slave the
     /// points lie.
     bool project(const ArrayView<ContactPoint<dim>> &points,
@@ -253,6 +257,10 @@ namespace Contact
     unsigned int first_multiplier = 0;
   };
 
+  template<>
+  void ContactPair<2>::begin_increment() const;
+  template<>
+  void ContactPair<3>::begin_increment() const;
   template<>
   void ContactPair<2>::differentiate(ContactPoint<2>     &point,
                                      const GhostedVector &u,

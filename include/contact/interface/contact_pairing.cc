@@ -212,6 +212,23 @@ namespace Contact
 
 
 
+  // Edges choose by distances alone.
+  template<>
+  void ContactPair<2>::begin_increment() const
+  {
+  }
+
+
+
+  template<>
+  void ContactPair<3>::begin_increment() const
+  {
+    if (mortar)
+      mortar->begin_increment();
+  }
+
+
+
   // In 2-D the kernel finds the derivatives.
   template<>
   void ContactPair<2>::differentiate(ContactPoint<2> &,

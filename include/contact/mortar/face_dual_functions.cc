@@ -19,12 +19,14 @@ namespace Contact
   // less of it than of another one, or where the two are nearly multiples of
   // each other on what is covered, as where a corner of the master is in the
   // middle of the facet. What is much less is between a half and a quarter, as
-  // of a rim and of a corner of the master that are on the node.
+  // of a rim and of a corner of the master that are on the node; where it was
+  // at the start of the increment is what it stays on, as far as a margin.
   void FacetDualFunctions::find_carriers(const std::vector<double> &integrals,
                                          const FullMatrix<double>  &common,
-                                         const Carriers            &carries)
+                                         const Carriers            &carries,
+                                         const KeptFunctions       &at_start)
   {
-    const double        much_less = 0.4, round_off = 1e-12;
+    const double        much_less = 0.4, margin = 0.08, round_off = 1e-12;
     const double        of_neighbors = 1. / 3; // on a whole facet of degree 1
     std::vector<double> covered(n_nodes, 1.);  // but for a common factor
     double              sum = 0, most = 0;
@@ -51,14 +53,18 @@ namespace Contact
     };
     for (const unsigned int a : by_size)
       {
-        const bool leaves =
-          carries[a].empty() || covered[a] < much_less * most ||
+        const double least = at_start.none()
+                               ? much_less
+                               : much_less + (at_start[a] ? -margin : margin);
+        const bool   leaves =
+          carries[a].empty() || covered[a] < least * most ||
           std::any_of(with_carriers.begin(),
                       with_carriers.end(),
                       [&](const unsigned int b) {
-                        return difference(a, b) < much_less * of_neighbors;
+                        return difference(a, b) < least * of_neighbors;
                       });
         (leaves ? others : with_carriers).push_back(a);
+        kept[a] = !leaves;
       }
     std::sort(with_carriers.begin(), with_carriers.end());
     for (const unsigned int a : with_carriers)

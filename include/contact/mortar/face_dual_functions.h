@@ -8,6 +8,7 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <bitset>
 #include <boost/container/small_vector.hpp>
 
 #include "contact/surfaces/surface.h"
@@ -24,6 +25,12 @@ namespace Contact
     FacetShape<3>::Values slave_values;
     double                weight; // [mm^2]
   };
+
+
+
+  /// By node of a slave facet, whether it keeps its function, see
+  /// FacetDualFunctions; none does where nothing faces the facet.
+  using KeptFunctions = std::bitset<9>;
 
 
 
@@ -47,6 +54,10 @@ namespace Contact
    * positive integrals. Where a hanging node alone keeps its function, its
    * receivers have multiples of one M_j: with a pseudo-inverse of G they have
    * the same multiples of one Phi_k, which sum up to one as well.
+   *
+   * The gap of a node jumps where it leaves its function or gets it back. It
+   * does so but once in an increment: what was at the start of it stays, unless
+   * the master covers the facet clearly otherwise.
    */
   class FacetDualFunctions
   {
@@ -60,18 +71,26 @@ namespace Contact
      * @p samples are of the part that faces the master, @p shares [mm^2] the
      * integrals of the test functions over the whole facet; @p carries are,
      * by node of the facet, the nodes of the surface with a multiplier that
-     * its function belongs to, and their parts in it; none if it has none.
+     * its function belongs to, and their parts in it; none if it has none. @p
+     * at_start are the nodes that kept theirs when the increment began.
      */
     template<typename Sample>
     FacetDualFunctions(const FacetKind<3>        &kind,
                        const std::vector<Sample> &samples,
                        const std::vector<double> &shares,
-                       const Carriers            &carries);
+                       const Carriers            &carries,
+                       const KeptFunctions       &at_start = {});
 
     /// The nodes of the surface that have a dual function here.
     const std::vector<unsigned int> &nodes() const
     {
       return carriers;
+    }
+
+    /// Those of the facet that keep their functions.
+    const KeptFunctions &kept_functions() const
+    {
+      return kept;
     }
 
     /// Whether the M_j are the shape functions of the nodes(), all others of
@@ -109,7 +128,8 @@ namespace Contact
     /// part: multiples of each other have a half of their harmonic mean.
     void find_carriers(const std::vector<double> &integrals,
                        const FullMatrix<double>  &common,
-                       const Carriers            &carries);
+                       const Carriers            &carries,
+                       const KeptFunctions       &at_start);
 
     /// G becomes its inverse; where the M_j depend on each other, a
     /// pseudo-inverse.
@@ -121,6 +141,7 @@ namespace Contact
     bool                      dual_to_shapes = false;
     bool                      are_shared = true;  // or shared is the identity
     bool                      dependent  = false; // the M_j
+    KeptFunctions             kept;
     std::vector<unsigned int> carriers;
     FullMatrix<double>        shared; // M_j = sum_a shared(j, a) functions[a]
     FullMatrix<double>        A;
@@ -133,7 +154,8 @@ namespace Contact
   FacetDualFunctions::FacetDualFunctions(const FacetKind<3>        &kind,
                                          const std::vector<Sample> &samples,
                                          const std::vector<double> &shares,
-                                         const Carriers            &carries)
+                                         const Carriers            &carries,
+                                         const KeptFunctions       &at_start)
     : kind(kind)
     , n_nodes(kind.n_nodes)
   {
@@ -163,7 +185,7 @@ namespace Contact
               if (const double sum = values[a] + values[b]; sum > 0)
                 common(a, b) += sample.weight * values[a] * values[b] / sum;
         }
-    find_carriers(of_functions, common, carries);
+    find_carriers(of_functions, common, carries, at_start);
 
     const unsigned int n = carriers.size();
     if (n == 0)

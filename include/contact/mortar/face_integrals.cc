@@ -152,11 +152,12 @@ namespace Contact
 
 
 
-  void FaceIntegrals::add(const unsigned int             e,
-                          const std::vector<FaceSample> &points,
-                          const FaceConfiguration       &now,
-                          std::vector<Tensor<1, 3>>     &distances,
-                          std::vector<NodeIntegrals>    &of_nodes) const
+  KeptFunctions FaceIntegrals::add(const unsigned int             e,
+                                   const std::vector<FaceSample> &points,
+                                   const FaceConfiguration       &now,
+                                   const KeptFunctions           &at_start,
+                                   std::vector<Tensor<1, 3>>     &distances,
+                                   std::vector<NodeIntegrals> &of_nodes) const
   {
     double covered = 0, whole = 0;
     for (const FaceSample &point : points)
@@ -164,7 +165,7 @@ namespace Contact
     for (const double share : shares[e])
       whole += share;
     if (covered <= 1e-8 * whole)
-      return;
+      return {};
     for (const FaceSample &point : points)
       {
         distances.push_back(point.distance);
@@ -175,7 +176,8 @@ namespace Contact
     const FacetDualFunctions     dual(*slave.facets[e].kind,
                                   points,
                                   shares[e],
-                                  carries[e]);
+                                  carries[e],
+                                  at_start);
     std::vector<NodeIntegrals *> carriers;
     for (const unsigned int node : dual.nodes())
       {
@@ -187,6 +189,7 @@ namespace Contact
     add_master(dual, segments, carriers);
     add_normals(dual, segments, now, carriers);
     add_changes(e, dual, segments, carriers);
+    return dual.kept_functions();
   }
 
 

@@ -63,12 +63,15 @@ namespace Contact
                   const std::vector<double>    &master_bends);
 
     /// Add the integrals over a slave facet, whose samples are @p points;
-    /// @p distances get those of the surfaces there.
-    void add(const unsigned int             slave_facet,
-             const std::vector<FaceSample> &points,
-             const FaceConfiguration       &now,
-             std::vector<Tensor<1, 3>>     &distances,
-             std::vector<NodeIntegrals>    &of_nodes) const;
+    /// @p distances get those of the surfaces there. Returns the nodes that
+    /// keep their functions, none where nothing faces the facet; @p at_start
+    /// are those at the start of the increment.
+    KeptFunctions add(const unsigned int             slave_facet,
+                      const std::vector<FaceSample> &points,
+                      const FaceConfiguration       &now,
+                      const KeptFunctions           &at_start,
+                      std::vector<Tensor<1, 3>>     &distances,
+                      std::vector<NodeIntegrals>    &of_nodes) const;
 
     /// The nodes whose dual functions may be on a slave facet.
     std::set<unsigned int> carriers_of(const unsigned int slave_facet) const;

@@ -55,6 +55,13 @@ namespace Contact
               const PairingMode                &mode,
               const BodyOverlap<3>             &bodies) const;
 
+    /// An increment begins where the surfaces were paired last: the functions
+    /// that nodes have kept there, see FacetDualFunctions.
+    void begin_increment() const
+    {
+      kept_at_start = kept;
+    }
+
   private:
     using NodeIntegrals = FaceIntegrals::NodeIntegrals;
     using OfMaster      = FaceIntegrals::OfMaster;
@@ -141,6 +148,9 @@ namespace Contact
       std::vector<bool>            is_present;
     };
     mutable Last last;
+
+    /// By facet, in its last pairing and at the start of the increment.
+    mutable std::vector<KeptFunctions> kept, kept_at_start;
 
     /// By how much the undeformed surfaces turn around each node [rad].
     const std::vector<double> slave_bends, master_bends;

@@ -193,6 +193,9 @@ namespace Contact
   void Pairing<dim>::begin_increment(const double part)
   {
     this->part = part;
+    if (model.interface)
+      for (const auto &contact_pair : model.interface->pairs)
+        contact_pair->begin_increment();
   }
 
 
