@@ -15,6 +15,8 @@ Proves that
 - a strip in three layers, each on the next, takes that of the same scene with a group
   for each side of each layer, within 1 %: both sides are in the one group, and what
   is behind the strip is no partner;
+- a hairpin all edges of which are in a group takes the same force with automatic
+  pairs, within 1e-9;
 - a strip with both sides in the group that is bent touches nothing: the force of the
   same scene without contact, within 1e-10;
 - a comb, a sheared L and a fold of three layers, all outer edges in the group, have no
@@ -220,6 +222,19 @@ def layers():
     close("layers", alone, pairs, 1e-2)
 
 
+def automatic():
+    """A hairpin between two plates, that closes: by groups, and automatically."""
+    strip("automatic", 2, 48, lambda side, s, leg: (
+        ["Skin"] + (["Push"] if side == 0 and s > 2 * LENGTH + 1 else
+                    ["Base"] if side == 0 and s < 10 else [])))
+    entries = strip_entries("automatic", 2.3, 5, **{
+        "Contact/Friction coefficient": .3})
+    one = solved("a group of all edges", "automatic", {
+        **entries, "Contact/Slave": "Skin", "Contact/Master": "Skin"})
+    close("automatic", solved("automatic", "automatic", {
+        **entries, "Contact/Surfaces": "automatic with self-contact"}), one, 1e-9)
+
+
 def nothing():
     strip("bent", 1, 20, lambda side, s, leg: (
         ["Skin"] + (["Base"] if s < 2 else ["Push"] if s > 18 else [])))
@@ -333,7 +348,7 @@ def refused():
               said[:300])
 
 
-for scene in (rings, hairpins, layers, nothing, at_rest, slit, in_space, refused):
+for scene in (rings, hairpins, layers, automatic, nothing, at_rest, slit, in_space, refused):
     scene()
 print(f"{len(failures)} failed")
 sys.exit(1 if failures else 0)

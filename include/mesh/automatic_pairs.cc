@@ -311,21 +311,28 @@ namespace Contact
     };
 
     std::vector<Parameters::Contact> pairs;
+    const auto add = [&](const std::string &slave, const std::string &master) {
+      if (named.count(in_order(slave, master)) > 0)
+        return;
+      pairs.push_back(*section);
+      pairs.back().surfaces = Parameters::ContactSurfaces::named;
+      pairs.back().is_made  = true;
+      pairs.back().name     = name_of_pair(slave + " " + master);
+      pairs.back().slave    = surface_of(slave);
+      pairs.back().master   = surface_of(master);
+    };
     for (auto a = surfaces.begin(); a != surfaces.end(); ++a)
-      for (auto b = std::next(a); b != surfaces.end(); ++b)
-        if (named.count(in_order(a->first, b->first)) == 0 &&
-            !share_nodes(a->second, b->second))
-          {
-            const auto &[slave, master] = is_better_slave(*b, *a)
-                                            ? std::tie(b->first, a->first)
-                                            : std::tie(a->first, b->first);
-            pairs.push_back(*section);
-            pairs.back().surfaces = Parameters::ContactSurfaces::named;
-            pairs.back().is_made  = true;
-            pairs.back().name     = name_of_pair(slave + " " + master);
-            pairs.back().slave    = surface_of(slave);
-            pairs.back().master   = surface_of(master);
-          }
+      {
+        if (section->surfaces == Parameters::ContactSurfaces::with_self_contact)
+          add(a->first, a->first);
+        for (auto b = std::next(a); b != surfaces.end(); ++b)
+          if (share_nodes(a->second, b->second))
+            continue;
+          else if (is_better_slave(*b, *a))
+            add(b->first, a->first);
+          else
+            add(a->first, b->first);
+      }
     if (pairs.empty())
       throw InputError("there are no two bodies that could touch",
                        "entry '" + section->section() + "/Surfaces'",

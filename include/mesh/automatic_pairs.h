@@ -22,7 +22,8 @@ namespace Contact
    * two bodies, between all of their outer faces, with the entries of the
    * section: for those that no other section pairs, and that have no node in
    * common. The slave is the softer body, of two that are equally stiff the one
-   * with the smaller faces. Reads the mesh file; throws InputError.
+   * with the smaller faces. "With self-contact" each body has one with itself.
+   * Reads the mesh file; throws InputError.
    */
   void add_automatic_pairs(Parameters::All &parameters);
 } // namespace Contact

@@ -147,17 +147,21 @@ namespace Contact
 
 
 
-    /// The surfaces of contact: those that are named, or of all bodies.
+    /// The surfaces of contact: those that are named, or of all bodies with
+    /// each other, also with themselves.
     enum class ContactSurfaces
     {
       named,
-      automatic
+      automatic,
+      with_self_contact
     };
 
     inline NamedValues<ContactSurfaces> named_values(const ContactSurfaces)
     {
       return {{"named", ContactSurfaces::named},
-              {"automatic", ContactSurfaces::automatic}};
+              {"automatic", ContactSurfaces::automatic},
+              {"automatic with self-contact",
+               ContactSurfaces::with_self_contact}};
     }
 
 

@@ -41,8 +41,9 @@ namespace Contact
         surfaces,
         "Automatic: instead of Slave and Master all outer faces of all bodies, "
         "a contact pair 'Contact SLAVE MASTER' for each two that no other "
-        "section pairs, and that share no nodes [-]; the other entries of this "
-        "section are theirs.");
+        "section pairs, and that share no nodes [-]; with self-contact also "
+        "one of each body with itself; the other entries of this section are "
+        "theirs.");
       prm.add_parameter(
         "Obstacle",
         obstacle,

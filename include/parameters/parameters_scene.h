@@ -379,7 +379,7 @@ namespace Contact
 
       bool is_automatic() const
       {
-        return surfaces == ContactSurfaces::automatic && !is_left_out;
+        return surfaces != ContactSurfaces::named && !is_left_out;
       }
 
       void add_parameters(ParameterHandler &prm);

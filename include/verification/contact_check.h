@@ -208,6 +208,13 @@ namespace Contact
     WeakConditions weak_conditions(const unsigned int direction,
                                    const Slack       &slack) const;
 
+    /// Of a point in contact [MPa]. The traction and the multiplier differ by c
+    /// times the gap, also by its round-off.
+    double pressure(const unsigned int k) const
+    {
+      return std::max(tractions[k].p, states[k].lambda_n);
+    }
+
     /// The place of a point, in a sentence.
     std::string at(const ContactPoint<dim> &point) const;
 

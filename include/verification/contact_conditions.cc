@@ -68,10 +68,10 @@ namespace Contact
     const ContactPoint<dim> &point        = interface.points()[k];
     const ContactState<dim> &now          = states[k];
     const ContactPair<dim>  &contact_pair = interface.contact_pair(point);
+    const double             p            = pressure(k);
     if (point.status.kind != Status::open)
-      worst.add(-point.weight * tractions[k].p, 0, [&]() {
-        return "the pressure in contact is " + brief(tractions[k].p) + " MPa" +
-               at(point);
+      worst.add(-point.weight * p, 0, [&]() {
+        return "the pressure in contact is " + brief(p) + " MPa" + at(point);
       });
     else if (contact_pair.has_point_per_multiplier())
       worst.add(-point.weight * contact_pair.stiffness(point) * now.gap,
@@ -175,7 +175,7 @@ namespace Contact
     const ContactPoint<dim> &point        = interface.points()[k];
     const ContactPair<dim>  &contact_pair = interface.contact_pair(point);
     const double             q            = tractions[k].q.norm();
-    const double             bound = contact_pair.law.bound(tractions[k].p);
+    const double             bound        = contact_pair.law.bound(pressure(k));
     cone.add(q - bound, slack.shear + slack.relative * largest_bound, [&]() {
       return "the shear is " + brief(q) + " MPa under a bound of " +
              brief(bound) + " MPa" + at(point);

@@ -300,10 +300,14 @@ namespace Contact
   {
     const auto own_status = [&](const ContactPoint<dim> &of,
                                 const ContactState<dim> &now) {
+      const bool is_pressed =
+        multipliers_are_forces && of.status.kind != Status::open &&
+        interface.contact_pair(of).has_point_per_multiplier() &&
+        now.lambda_n > of.augmentation_parameter * of.gap_round_off();
       return updated_status(of,
                             interface.bounds.follow ? of.status
                                                     : PointStatus<dim>(),
-                            now.p_trial,
+                            is_pressed ? now.lambda_n : now.p_trial,
                             now.q_trial);
     };
     const auto status_of_other = [&](const unsigned int q) {

@@ -107,6 +107,14 @@ namespace Contact
 
     StatusCount count() const;
 
+    /**
+     * Whether multipliers are forces of the bodies, as without them in the
+     * system, and not unknowns. A point in contact then stays in contact while
+     * the bodies press there, whatever its gap: that is of second order in the
+     * last step, but times c far more than the pressure of a slender body.
+     */
+    bool multipliers_are_forces = false;
+
     /// The statuses of all points, and as numbers.
     std::vector<PointStatus<dim>> statuses() const;
     void set_statuses(const std::vector<PointStatus<dim>> &all);

@@ -149,11 +149,11 @@ namespace Contact
     };
     mutable Last last;
 
-    /// By facet, in its last pairing and at the start of the increment.
-    mutable std::vector<KeptFunctions> kept, kept_at_start;
-
     /// By how much the undeformed surfaces turn around each node [rad].
     const std::vector<double> slave_bends, master_bends;
+
+    /// By facet, in its last pairing and at the start of the increment.
+    mutable std::vector<KeptFunctions> kept, kept_at_start;
 
     const FaceIntegrals face_integrals;
   };

@@ -53,6 +53,9 @@ namespace Contact
     part          = 0;
     one_at_a_time = false;
     statuses.begin();
+    if (model.interface)
+      model.interface->active_set.multipliers_are_forces =
+        !system->has_multipliers();
     last_residual = std::numeric_limits<double>::max();
     pairing.begin_newton();
     system->begin_newton();
@@ -324,7 +327,7 @@ namespace Contact
                                                 convergence.force_scale(),
                                                 /*continues=*/false};
     unsigned int n = system->make_step(step, rhs, state);
-    n += statuses.search(step, rhs, state);
+    n += statuses.search(step, last, rhs, state);
     if (!expected_way)
       expected_way = state.largest_change(model, last);
     model.elasticity->end_first_step();

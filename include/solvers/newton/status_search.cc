@@ -43,6 +43,7 @@ namespace Contact
   // statuses anyway.
   template<int dim>
   unsigned int StatusSearch<dim>::search(typename LinearSystem<dim>::Step step,
+                                         const GhostedVector             &start,
                                          GhostedVector                   &rhs,
                                          IncrementState<dim>             &state)
   {
@@ -58,7 +59,7 @@ namespace Contact
     step.continues = true;
     for (unsigned int iteration = 0; searches; ++iteration)
       {
-        if (!change_statuses(little * step.residual, rhs, state))
+        if (!change_statuses(little * step.residual, start, rhs, state))
           break;
         n += system->make_step(step, rhs, state);
         const bool is_solution = state.solution.linfty_norm() <= largest;
@@ -78,30 +79,51 @@ namespace Contact
   // statuses, which stay where nothing is to be solved again.
   template<int dim>
   bool StatusSearch<dim>::change_statuses(const double         tolerance,
+                                          const GhostedVector &start,
                                           GhostedVector       &rhs,
                                           IncrementState<dim> &state) const
   {
+    ActiveSet<dim> &active_set = model.interface->active_set;
     system->recover_multipliers(rhs, 1, state);
-    const auto update_statuses = [&](const bool keep) {
-      return model.interface->active_set.update(state.solution,
-                                                state.start,
-                                                keep);
-    };
-    if (update_statuses(/*keep=*/false) == 0)
+    const auto statuses = active_set.statuses();
+    const auto changed  = statuses_in(state, start);
+    if (changed == statuses)
       return false;
-    const auto statuses = model.interface->active_set.statuses();
-    rhs                 = 0;
+    rhs = 0;
     pairing.add_contact(state, rhs);
     rhs.sadd(-1, 0, rhs);
-    update_statuses(/*keep=*/true);
+    active_set.set_statuses(changed);
     pairing.add_contact(state, rhs);
     if (convergence.norm_of(rhs) <= tolerance * convergence.force_scale())
       {
-        model.interface->active_set.set_statuses(statuses);
+        active_set.set_statuses(statuses);
         return false;
       }
     ++model.discretization->counters.active_set_changes;
     return true;
+  }
+
+  template<int dim>
+  std::vector<PointStatus<dim>>
+  StatusSearch<dim>::statuses_in(const IncrementState<dim> &state,
+                                 const GhostedVector       &start) const
+  {
+    ContactInterface<dim> &interface  = *model.interface;
+    ActiveSet<dim>        &active_set = interface.active_set;
+    const auto             before     = active_set.statuses();
+    active_set.update(state.solution, state.start, /*keep=*/true);
+    auto found = active_set.statuses();
+    active_set.set_statuses(before);
+    for (unsigned int q = 0; q < found.size(); ++q)
+      {
+        const ContactPoint<dim> &point = interface.points()[q];
+        const double             reach =
+          interface.contact_pair(point).edge_length(point) / 2;
+        if (before[q].kind == Status::open && found[q].kind != Status::open &&
+            interface.state(point, state.solution, start).slip.norm() > reach)
+          found[q] = before[q];
+      }
+    return found;
   }
 
   template class StatusSearch<2>;

@@ -40,8 +40,10 @@ namespace Contact
 
     /// Solve the linear problem of @p step again under the statuses that its
     /// solution has, until they settle; @p rhs is minus the residual of the
-    /// bodies. Returns the number of linear iterations. Collective.
+    /// bodies, @p start where the step begins. Returns the number of linear
+    /// iterations. Collective.
     unsigned int search(typename LinearSystem<dim>::Step step,
+                        const GhostedVector             &start,
                         GhostedVector                   &rhs,
                         IncrementState<dim>             &state);
 
@@ -50,8 +52,14 @@ namespace Contact
     /// linear problem, unless that is one to @p tolerance under these, too
     /// [-]. Returns whether one is another.
     bool change_statuses(const double         tolerance,
+                         const GhostedVector &start,
                          GhostedVector       &rhs,
                          IncrementState<dim> &state) const;
+
+    /// The statuses in a solution, but open points that slip by more than half
+    /// of their edge stay open: the gap there is that of another place.
+    std::vector<PointStatus<dim>> statuses_in(const IncrementState<dim> &state,
+                                              const GhostedVector &start) const;
 
     const ContactModel<dim>                  &model;
     const std::unique_ptr<LinearSystem<dim>> &system;
