@@ -6,7 +6,8 @@ Proves that
 
 - a moment bends a beam, and an eccentric force tilts the head of a column, by the
   closed forms without Poisson's ratio, in 2-D, in 3-D, with nodes that
-  hang and on two processes; a force pushes the head of a ring;
+  hang and on two processes, also about a point that is not of the mesh; a force
+  pushes the head of a ring;
 - a rotation of any size turns a block without stress, to where formulas of the
   place would; the moment that this needs of a beam turns it as far again;
 - a punch that an eccentric force tilts has the forces of one that is moved so,
@@ -71,6 +72,16 @@ def columns():
         check(f"an eccentric force on a column, {what}", near(
             found, {**expected, "M": M if what == "turned" else 0}, 1e-8),
             f"{found} {expected} {said[:300]}")
+
+    # The point is beside the mesh.
+    x = 3.
+    status, said, summary = run("column", {
+        **plane, "Mesh/Points": f"P: {x}, 7",
+        "Probes/Probes": "turn: rotation z, Head; N: reaction y, Head"})
+    found = values(summary) if status == 0 else {}
+    check("a force beside a column", near(
+        found, {"turn": (F * x + M) * h / (E * b ** 3 / 12), "N": 0}, 1e-8),
+        f"{found} {said[:300]}")
 
     # A spin of 1e-5, whose unknowns are all known to their round-off.
     status, said, summary = run("column", {

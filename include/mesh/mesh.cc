@@ -388,8 +388,8 @@ namespace Contact
   {
     if (const auto place = places.find(name); place != places.end())
       throw InputError("the point '" + name +
-                         "' lies between nodes, where there can be forces "
-                         "and probes, and nothing else",
+                         "' lies between nodes, where there can be forces, "
+                         "probes and the point of a rigid boundary alone",
                        "entry '" + entry + "'",
                        "name a corner of a cell in 'Mesh/Points': the closest "
                        "one is at " +

@@ -312,8 +312,8 @@ namespace Contact
       prm.add_parameter("Rigid",
                         rigid,
                         "'boundary: point' [-], separated by ','; a boundary "
-                        "group that moves as a rigid body, and the point of "
-                        "the undeformed mesh that moves with it. Displacement, "
+                        "group that moves as a rigid body, and the point that "
+                        "moves with it, of the mesh or not. Displacement, "
                         "Force, Rotation and Moment of the boundary are those "
                         "of this point; without them it moves freely.");
       add_by_direction(prm,

@@ -254,8 +254,22 @@ namespace Contact
             place.vertices = {{vertex, 1.}};
         }
     const PlaceSearch<dim> search(mesh, mapping, dof_handler, communicator);
+    const auto             is_of_rigid = [&](const std::string &name) {
+      return std::any_of(boundary.rigid.begin(),
+                         boundary.rigid.end(),
+                         [&](const auto &of) { return of.second == name; });
+    };
     for (const auto &[name, named] : mesh.places)
-      places[name] = search.find(name);
+      try
+        {
+          places[name] = search.find(name);
+        }
+      catch (const InputError &)
+        {
+          places.erase(name);
+          if (!is_of_rigid(name))
+            throw;
+        }
   }
 
 
@@ -266,7 +280,9 @@ namespace Contact
   {
     if (const auto found = places.find(name); found != places.end())
       return found->second;
-    mesh.point(name, entry); // says why not
+    if (mesh.places.count(name) > 0) // both say why not
+      PlaceSearch<dim>(mesh, mapping, dof_handler, communicator).find(name);
+    mesh.point(name, entry);
     AssertThrow(false, ExcInternalError());
     return places.begin()->second;
   }

@@ -51,25 +51,6 @@ namespace Contact
 
 
 
-    /// The outward unit normals in the middle of the facets.
-    std::vector<Tensor<1, 3>> middle_normals(const Surface<3> &surface,
-                                             const std::vector<Point<3>> &x)
-    {
-      std::vector<Tensor<1, 3>> normals;
-      for (const SurfaceFacet<3> &facet : surface.facets)
-        {
-          const FacetBasis            basis(*facet.kind, facet.kind->middle);
-          std::array<Tensor<1, 3>, 2> tangents;
-          for (unsigned int k = 0; k < 2; ++k)
-            tangents[k] = sum(basis.first[k], facet, x);
-          const Tensor<1, 3> outward = outward_normal(tangents);
-          normals.push_back(outward / outward.norm());
-        }
-      return normals;
-    }
-
-
-
     /**
      * The Gauss points of a triangle, exact for degree 2 n - 1. On triangles
      * and parallelograms products of two shape functions are polynomials of
@@ -137,24 +118,6 @@ namespace Contact
 
 
 
-  FaceConfiguration::FaceConfiguration(const Surface<3>     &slave,
-                                       const Surface<3>     &master,
-                                       const SymmetryPlanes &planes,
-                                       const GhostedVector  &u)
-    : slave_normals(planes.facet_normals({slave, u}))
-    , master_normals(planes.facet_normals({master, u}))
-    , search(master, u)
-  {
-    for (unsigned int i = 0; i < slave.nodes.size(); ++i)
-      slave_x.push_back(slave.position(i, u));
-    for (unsigned int i = 0; i < master.nodes.size(); ++i)
-      master_x.push_back(master.position(i, u));
-    slave_middles  = middle_normals(slave, slave_x);
-    master_middles = middle_normals(master, master_x);
-  }
-
-
-
   FaceSegments::FaceSegments(const Surface<3>        &slave,
                              const Surface<3>        &master,
                              const FaceConfiguration &now,
@@ -181,17 +144,24 @@ namespace Contact
         return bodies.may_face(e, m);
       };
 
-    double distance = 0;
-    for (unsigned int a = 0; a < slave.facets[e].n_nodes(); ++a)
-      {
-        const unsigned int node = slave.facets[e].nodes[a];
-        x.push_back(now.slave_x[node]);
-        distance = std::max(distance, distance_to_master(node, directions));
-      }
-    BoundingBox<3> box(x);
-    box.extend(distance + 0.1 * slave.reference_length(e));
     of_facet.clear();
     const SlaveFacet own(e, slave, now);
+    bool             sees_closest = true;
+    for (unsigned int a = 0; a < own.facet.n_nodes(); ++a)
+      {
+        x.push_back(now.slave_x[own.facet.nodes[a]]);
+        sees_closest = sees_closest &&
+                       directions.faces(closest_to(own.facet.nodes[a]).normal);
+      }
+    if (!sees_closest && !has_partners(own, directions))
+      return of_facet;
+
+    double distance = 0;
+    for (unsigned int a = 0; a < own.facet.n_nodes(); ++a)
+      distance =
+        std::max(distance, distance_to_master(own.facet.nodes[a], directions));
+    BoundingBox<3> box(x);
+    box.extend(distance + 0.1 * slave.reference_length(e));
     for (const unsigned int m : now.search.facets_in(box))
       if (bodies.may_face(e, m) && directions.faces(now.master_middles[m]))
         add_segment(own, m);
@@ -204,22 +174,48 @@ namespace Contact
 
   // From all facets around a node the master is seen at the same place, if that
   // faces them.
-  double FaceSegments::distance_to_master(const unsigned int   node,
-                                          const NormalCone<3> &directions)
+  const FaceSegments::Closest &FaceSegments::closest_to(const unsigned int node)
   {
-    const Point<3> &x = now.slave_x[node];
     if (!closest[node])
       {
+        const Point<3>     &x                = now.slave_x[node];
         const Projection<3> projection_point = now.search.closest_alone(x);
         closest[node] =
           Closest{std::sqrt(now.search.distance_square(x, projection_point)),
                   now.search.normal(projection_point.facet,
                                     projection_point.xi)};
       }
-    if (directions.faces(closest[node]->normal))
-      return closest[node]->distance;
+    return *closest[node];
+  }
+
+
+
+  double FaceSegments::distance_to_master(const unsigned int   node,
+                                          const NormalCone<3> &directions)
+  {
+    if (directions.faces(closest_to(node).normal))
+      return closest_to(node).distance;
+    const Point<3> &x = now.slave_x[node];
     return std::sqrt(
       now.search.distance_square(x, now.search.closest_facing(x, directions)));
+  }
+
+
+
+  // Most facets of a whole body have none: to look for the closest one would
+  // take a look at all of them.
+  bool FaceSegments::has_partners(const SlaveFacet    &own,
+                                  const NormalCone<3> &directions) const
+  {
+    const FacetBall own_ball(own.facet, now.slave_x);
+    for (unsigned int m = 0; m < master.facets.size(); ++m)
+      if (const FacetBall &ball = now.master_balls[m];
+          own_ball.distance_across(own.normal, ball.centre) <=
+            own_ball.radius + ball.radius &&
+          bodies.may_face(own.index, m) &&
+          directions.faces(now.master_middles[m]))
+        return true;
+    return false;
   }
 
 
@@ -283,6 +279,8 @@ namespace Contact
                     FaceSample &sample = of_facet.back();
                     sample.distance    = on_slave(sample.slave_values) -
                                       on_master(sample.master_basis.value);
+                    if (q == 0)
+                      sample.n_of_triangle = quadrature.size();
                     if (q < 3)
                       sample.distance_at_corner =
                         on_slave(
@@ -338,22 +336,35 @@ namespace Contact
 
 
 
+  // The middle of a triangle tells.
   void FaceSegments::remove_far_sides(const SlaveFacet &own)
   {
     const double slack =
       DeformedSurface<3>::overhang * slave.reference_length(own.index);
-    const auto is_far = [&](const FaceSample &sample) {
-      const Point<3> x = place_of(sample, own);
-      return sample.distance * own.normal > slack &&
-             !bodies.is_between({x, slave, own.index, sample.slave_xi},
-                                0,
-                                {x - sample.distance,
-                                 master,
-                                 sample.master_facet,
-                                 sample.master_xi});
+    const auto is_far = [&](const FaceSample *first) {
+      const unsigned int n = first->n_of_triangle;
+      Point<3>           x;
+      Point<2>           slave_xi, master_xi;
+      Tensor<1, 3>       distance;
+      for (const FaceSample *sample = first; sample < first + n; ++sample)
+        {
+          x += place_of(*sample, own) / n;
+          slave_xi += sample->slave_xi / n;
+          master_xi += sample->master_xi / n;
+          distance += sample->distance / n;
+        }
+      return distance * own.normal > slack &&
+             !bodies.is_between(
+               {x, slave, own.index, slave_xi},
+               0,
+               {x - distance, master, first->master_facet, master_xi});
     };
-    of_facet.erase(std::remove_if(of_facet.begin(), of_facet.end(), is_far),
-                   of_facet.end());
+    std::vector<FaceSample> near;
+    for (auto sample = of_facet.begin(); sample != of_facet.end();
+         sample += sample->n_of_triangle)
+      if (!is_far(&*sample))
+        near.insert(near.end(), sample, sample + sample->n_of_triangle);
+    of_facet = std::move(near);
   }
 
 

@@ -10,32 +10,14 @@
 #include <optional>
 #include <utility>
 
+#include "contact/mortar/face_configuration.h"
 #include "contact/mortar/face_dual_functions.h"
 #include "contact/mortar/facet_parts.h"
 #include "contact/surfaces/body_overlap.h"
-#include "contact/surfaces/symmetry_planes.h"
 
 namespace Contact
 {
   using namespace dealii;
-
-  /// Both surfaces of a contact pair in 3-D, where the bodies are.
-  struct FaceConfiguration
-  {
-    FaceConfiguration(const Surface<3>     &slave,
-                      const Surface<3>     &master,
-                      const SymmetryPlanes &planes,
-                      const GhostedVector  &u);
-
-    std::vector<Point<3>>    slave_x, master_x;
-    FacetNormals<3>          slave_normals, master_normals;
-    const DeformedSurface<3> search; // of the master
-
-    /// The outward normals in the middle of the facets.
-    std::vector<Tensor<1, 3>> slave_middles, master_middles;
-  };
-
-
 
   /// A Gauss point of a segment, the piece of a slave facet that faces one
   /// master facet.
@@ -59,6 +41,9 @@ namespace Contact
 
     /// In a corner of the triangle around it, if it stands for one.
     std::optional<Tensor<1, 3>> distance_at_corner;
+
+    /// How many there are in the triangle, if it is the first one.
+    unsigned int n_of_triangle = 0;
   };
 
 
@@ -89,8 +74,21 @@ namespace Contact
     /// A slave facet and its parts in the plane that masters are projected on.
     struct SlaveFacet;
 
+    /// The closest point of the master to a node of the slave.
+    struct Closest
+    {
+      double       distance; // [mm]
+      Tensor<1, 3> normal;
+    };
+    const Closest &closest_to(const unsigned int slave_node);
+
     double distance_to_master(const unsigned int   slave_node,
                               const NormalCone<3> &directions);
+
+    /// False if no facet of the master is in front of or behind a slave facet
+    /// and face to face with it.
+    bool has_partners(const SlaveFacet    &own,
+                      const NormalCone<3> &directions) const;
 
     void add_segment(const SlaveFacet &own, const unsigned int master_facet);
     void remove_far_sides(const SlaveFacet &own);
@@ -117,13 +115,6 @@ namespace Contact
     const Surface<3>        &slave, &master;
     const FaceConfiguration &now;
     const BodyOverlap<3>    &bodies;
-
-    /// The closest point of the master to a node of the slave.
-    struct Closest
-    {
-      double       distance; // [mm]
-      Tensor<1, 3> normal;
-    };
 
     /// By node, as far as they have been asked for.
     std::vector<std::optional<Closest>> closest;

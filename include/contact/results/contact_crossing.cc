@@ -94,12 +94,26 @@ namespace Contact
         , faced(faced)
         , own{{surface.positions(from), surface.positions(to)}}
         , other{{faced.positions(from), faced.positions(to)}}
+        , other_box(other[0])
       {
+        other_box.merge_with(BoundingBox<dim>(other[1]));
       }
 
       Point<dim> place(const unsigned int node, const double time) const
       {
         return between(own[0][node], own[1][node], time);
+      }
+
+      /// Whether the path of a node may meet that of the other surface.
+      bool may_cross(const unsigned int node) const
+      {
+        const BoundingBox<dim> path(
+          std::vector<Point<dim>>{own[0][node], own[1][node]});
+        for (unsigned int i = 0; i < dim; ++i)
+          if (path.upper_bound(i) < other_box.lower_bound(i) ||
+              path.lower_bound(i) > other_box.upper_bound(i))
+            return false;
+        return true;
       }
 
       /// The other surface at a time, made once.
@@ -138,6 +152,7 @@ namespace Contact
       }
 
       const std::array<std::vector<Point<dim>>, 2>            own, other;
+      BoundingBox<dim>                                        other_box;
       std::map<double, std::unique_ptr<DeformedSurface<dim>>> made;
     };
 
@@ -169,6 +184,8 @@ namespace Contact
              communicator,
              surface.nodes.size()))
         {
+          if (!paths.may_cross(i))
+            continue;
           const auto jump = find_jump<dim>(
             [&](const double time) { return paths.seen_at(i, time); });
           if (!jump || meet(paths.faced.facets[jump->first.closest.facet],

@@ -43,7 +43,7 @@ namespace Contact
 
   unsigned int NewtonGlobalization::circle() const
   {
-    const unsigned int n_repeated = 20, longest = 8;
+    const unsigned int n_repeated = 20, longest = 20;
     const double       same = 1e-3;
     for (unsigned int k = 1; k <= longest && n_repeated + k <= all.size(); ++k)
       if (std::equal(all.end() - n_repeated,

@@ -25,7 +25,7 @@ namespace Contact
    * steps, within a tenth, the tangent knows nothing of what holds it: more
    * steps do not help, unless the pairing has been frozen meanwhile.
    *
-   * Circles: residuals of twenty steps that repeat those of one to eight steps
+   * Circles: residuals of twenty steps that repeat those of one to twenty steps
    * before, within a thousandth, go on like that.
    *
    * Cycles: all points change their status at once. If their number has not
