@@ -178,6 +178,10 @@ namespace Contact
     typename RigidBoundary<dim>::Targets
     targets(const RigidBoundary<dim> &boundary, const double load_factor) const;
 
+    /// The point that one of them moves with, undeformed. It need not be one of
+    /// the mesh: the axis of a hollow shaft is none.
+    Point<dim> rigid_point(const std::string &boundary) const;
+
     /// Whether an unknown is of one of them.
     bool is_rigid(const types::global_dof_index dof) const override
     {

@@ -30,28 +30,28 @@ namespace Contact
       return v;
     }
 
-
-
-    /// The place of the point that a rigid boundary moves with, which need not
-    /// be one of the mesh: the axis of a hollow shaft is none.
-    template<int dim>
-    Point<dim> place_of(const std::string &point, const Mesh<dim> &mesh)
-    {
-      const auto named = mesh.places.find(point);
-      if (named == mesh.places.end())
-        return mesh.triangulation.get_vertices()[mesh.point(point, entry)];
-      const auto &in_body = named->second.in_body;
-      const auto  first   = in_body.begin();
-      for (const auto &[body, X] : in_body)
-        if (X != first->second)
-          throw InputError("the point '" + point + "' is in '" +
-                             mesh.body_name(first->first) + "' or in '" +
-                             mesh.body_name(body) + "', which are moved apart",
-                           "entry 'Mesh/Points'",
-                           "write '" + point + " in BODY'");
-      return first->second;
-    }
   } // namespace
+
+
+
+  template<int dim>
+  Point<dim> Discretization<dim>::rigid_point(const std::string &name) const
+  {
+    const std::string &point = boundary.rigid.at(name);
+    const auto         named = mesh.places.find(point);
+    if (named == mesh.places.end())
+      return mesh.triangulation.get_vertices()[mesh.point(point, entry)];
+    const auto &in_body = named->second.in_body;
+    const auto  first   = in_body.begin();
+    for (const auto &[body, X] : in_body)
+      if (X != first->second)
+        throw InputError("the point '" + point + "' is in '" +
+                           mesh.body_name(first->first) + "' or in '" +
+                           mesh.body_name(body) + "', which are moved apart",
+                         "entry 'Mesh/Points'",
+                         "write '" + point + " in BODY'");
+    return first->second;
+  }
 
 
 
@@ -73,7 +73,7 @@ namespace Contact
     for (const auto &[name, point] : boundary.rigid)
       {
         const auto                          &ids = mesh.boundary(name, entry);
-        const Point<dim>                     P   = place_of(point, mesh);
+        const Point<dim>                     P   = rigid_point(name);
         bool                                 is_large = false;
         std::map<Dofs, Point<dim>>           places;
         std::vector<types::global_dof_index> dofs, on_face;
@@ -234,9 +234,7 @@ namespace Contact
       if (const auto found = formula_of_rigid[c].find(of.name);
           found != formula_of_rigid[c].end())
         prescribe(c,
-                  formulas[found->second](place_of(boundary.rigid.at(of.name),
-                                                   mesh),
-                                          load_factor));
+                  formulas[found->second](rigid_point(of.name), load_factor));
     return targets;
   }
 

@@ -84,7 +84,7 @@ namespace Contact
       for (const auto &[name, point] : boundary.rigid)
         {
           const auto         vertices = mesh.coarse_vertices(name);
-          const Point<dim>   P        = places[mesh.points.at(point)[0]];
+          const Point<dim>   P        = discretization.rigid_point(name);
           const unsigned int piece =
             mesh.pieces.of_coarse_vertex(*vertices.begin());
           for (const unsigned int vertex : vertices)
