@@ -8,8 +8,9 @@ Proves, for the scenes of the folders `plane` and `space`, that
 - forces on a concave slave are those on the convex one, within the error of the
   mesh, and those of the block that touches the floor alone; turned scenes have the
   forces of those as drawn;
-- scenes with teeth, and glue beside friction, converge in at most 60 Newton steps
-  an increment;
+- scenes with teeth, glue beside friction, a ball between plates, and a block that
+  reaches over a rim turned by 45 degrees, converge in at most 60 Newton steps an
+  increment; the latter has the same force with the roles exchanged;
 - no shear is reported without friction, and the pressure is continuous over a line
   where several contact pairs meet;
 - the nodal discretization has the force of the mortar discretization where a corner
@@ -176,6 +177,20 @@ def tslot_turned():
         nearly("  turned", turned, drawn, 1e-6)
 
 
+def corner_turned():
+    forces = []
+    for entries in ({}, {"Contact/Slave": "A_z1", "Contact/Master": "B_z0"}):
+        result = Result("space/corner_turned/cornrot", **entries)
+        if result.converges():
+            forces.append(math.hypot(*result.force()))
+    if len(forces) == 2:
+        nearly("  roles exchanged", *forces, 0.05)
+
+
+def ball_between_plates():
+    Result("space/ball_between_plates/ballpl0").converges()
+
+
 def nodal_corner():
     for nodal, mortar in ((Result("space/nodal_corner/Ncorner0"),
                            Result("space/nodal_corner/corner0")),
@@ -240,8 +255,8 @@ def pairs_share_node():
 
 scenes = (concave_corner_a3, concave_corner_b3, tongue_in_groove_b,
           tongue_in_groove_d, teeth, frictionless_shear_reported, block_in_tray,
-          beside_wall, tslot_turned, nodal_corner, shared_line_pressure,
-          glue_beside_friction, tubes_crash, pairs_share_node)
+          beside_wall, tslot_turned, corner_turned, ball_between_plates,
+          nodal_corner, shared_line_pressure, glue_beside_friction, tubes_crash, pairs_share_node)
 if not all((folder / part).is_dir() for part in ("plane", "space", "reports")):
     print(f"skipped: no scenes in {folder}/plane, space and reports")
     sys.exit(0)
