@@ -4,7 +4,8 @@
 
 Proves that
 
-- a deck with two steps and friction (CPE4) gives those of the same case by hand;
+- a deck with two steps and friction (CPE4), also with an elastic slip, gives those of
+  the same case by hand;
 - two discs (CAX8), distorted hexahedra (C3D20R) and tetrahedra beside them (C3D4,
   C3D10M) under pressure are in a uniform state, and rings whose sides are round
   (CPE8R, C3D20R, C3D10) in Lame's: the nodes are where gmsh's order has them;
@@ -67,7 +68,7 @@ def friction():
                {"bottom": "Base", "top": "Ground"})
     mesh.block("Up", 5, 3, box(-8, 0, 9, 7), {"bottom": "Sole", "top": "Head"})
     mesh.write("by_hand")
-    _, said, summary = run("by_hand", {
+    by_hand = {
         "Mesh/File": "by_hand.msh",
         "Solids/Young's modulus": "Low: 1000, Up: 1000",
         "Solids/Poisson's ratio": "Low: 0.25, Up: 0.25",
@@ -77,17 +78,26 @@ def friction():
         "Displacement x: max(0, 2*t - 1); Displacement y: min(1, 2*t)",
         "Contact/Slave": "Sole", "Contact/Master": "Ground",
         "Contact/Friction coefficient": "0.3", "Solution/Increments": "4",
-        "Probes/Probes": "x: reaction x, Head; y: reaction y, Head"})
-    expected = {p["name"]: p["value"] for p in summary.get("probes", ())}
-    check("by hand", len(expected) == 2, said)
+        "Probes/Probes": "x: reaction x, Head; y: reaction y, Head"}
+    probes = "x: reaction x, Up_y1; y: reaction y, Up_y1"
+
+    def written(**more):
+        _, said, summary = run("by_hand", {**by_hand, **more})
+        expected = {p["name"]: p["value"] for p in summary.get("probes", ())}
+        check("by hand", len(expected) == 2, said)
+        return expected
+    for option, slip in (("ELASTIC SLIP=0.002", "0.002"),
+                         ("SLIP TOLERANCE=5e-4", "0.05 %")):
+        compare(option, values("slip", deck.replace(
+            "*FRICTION", f"*FRICTION, {option}"), probes),
+            written(**{"Contact/Elastic slip": slip}), 1e-10)
+    expected = written()
     compare("CPE4 with friction, two steps", values(
-        "friction", deck, "x: reaction x, Up_y1; y: reaction y, Up_y1"),
-        expected, 1e-10)
+        "friction", deck, probes), expected, 1e-10)
     pair = deck[deck.index("*CONTACT PAIR"):deck.index("*STEP")]
     compare("general contact", values("general", deck.replace(pair, (
         "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n"
-        "*CONTACT PROPERTY ASSIGNMENT\n, , rough\n")),
-        "x: reaction x, Up_y1; y: reaction y, Up_y1"), expected, 1e-9)
+        "*CONTACT PROPERTY ASSIGNMENT\n, , rough\n")), probes), expected, 1e-9)
 
 
 def uniform():

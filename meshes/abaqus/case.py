@@ -57,7 +57,8 @@ class Case:
         self.left_out: list[tuple[str, str, str]] = []
         self.materials: dict[str, dict[str, Block]] = {}
         self.material: dict[str, Block] | None = None
-        self.friction: dict[str, float] = {}  # by surface interaction
+        # Entries, by surface interaction.
+        self.friction: dict[str, dict[str, str]] = {}
         self.interaction: str | None = None
         self.general = ""  # the section of general contact
         self.obstacles: dict[str, Obstacle] = {}

@@ -178,7 +178,7 @@ def take_rigid_body(case: Case, block: Block, scope: Scope) -> None:
 
 def take_interaction(case: Case, block: Block, scope: Scope) -> None:
     case.interaction = block.need("NAME").upper()
-    case.friction[case.interaction] = 0.0
+    case.friction[case.interaction] = {}
 
 
 def take_friction(case: Case, block: Block, scope: Scope) -> None:
@@ -186,7 +186,14 @@ def take_friction(case: Case, block: Block, scope: Scope) -> None:
         case.leave(block, "friction is a number in a *SURFACE INTERACTION, "
                    "for all steps")
         return
-    case.friction[case.interaction] = block.rows[0].number(0)
+    coefficient = block.rows[0].number(0)
+    entries = {"Friction coefficient": text(coefficient)}
+    if "ELASTICSLIP" in block.options:
+        entries["Elastic slip"] = text(block.number_of("ELASTICSLIP"))
+    elif "SLIPTOLERANCE" in block.options:
+        share = block.number_of("SLIPTOLERANCE")
+        entries["Elastic slip"] = f"{text(100 * share)} %"
+    case.friction[case.interaction] = entries if coefficient else {}
     for option in sorted(set(block.options) & {
             "ROUGH", "TAUMAX", "EXPONENTIALDECAY", "USER", "ANISOTROPIC"}):
         case.leave(block, f"{option}: friction is one number, Contact/Friction "
@@ -208,9 +215,7 @@ def take_pair(case: Case, block: Block, scope: Scope) -> None:
             block.fault(f"there is no surface interaction '{interaction}'",
                         "it stands before: *SURFACE INTERACTION, NAME="
                         + interaction)
-        entries = {}
-        if case.friction.get(interaction):
-            entries["Friction coefficient"] = text(case.friction[interaction])
+        entries = dict(case.friction.get(interaction, {}))
         if block.has("TYPE", "NODETOSURFACE"):
             entries["Discretization"] = "nodal"
         if "TIED" in block.options:
@@ -238,8 +243,9 @@ def take_assignment(case: Case, block: Block, scope: Scope) -> None:
         friction = case.friction.get(row.text(2).upper())
         if row.text(0) or row.text(1) or not case.general or friction is None:
             case.leave(row, "an interaction of some surfaces: give *CONTACT PAIR")
-        elif friction:
-            case.put(case.general, "Friction coefficient", text(friction))
+        else:
+            for entry, value in friction.items():
+                case.put(case.general, entry, value)
 
 
 def take_tie(case: Case, block: Block, scope: Scope) -> None:

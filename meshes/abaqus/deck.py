@@ -72,6 +72,9 @@ class Block:
                        f"write {self.title}, {option}=NAME")
         return self.options[option]
 
+    def number_of(self, option: str) -> float:
+        return Row(self.where, [self.need(option)]).number(0)
+
 
 def split(line: str) -> list[str]:
     """Fields between commas that are not in quotes."""

@@ -341,12 +341,11 @@ namespace Contact
   {
     const double slack =
       DeformedSurface<3>::overhang * slave.reference_length(own.index);
-    const auto is_far = [&](const FaceSample *first) {
-      const unsigned int n = first->n_of_triangle;
-      Point<3>           x;
-      Point<2>           slave_xi, master_xi;
-      Tensor<1, 3>       distance;
-      for (const FaceSample *sample = first; sample < first + n; ++sample)
+    const auto is_far = [&](const auto first, const unsigned int n) {
+      Point<3>     x;
+      Point<2>     slave_xi, master_xi;
+      Tensor<1, 3> distance;
+      for (auto sample = first; sample != first + n; ++sample)
         {
           x += place_of(*sample, own) / n;
           slave_xi += sample->slave_xi / n;
@@ -359,12 +358,15 @@ namespace Contact
                0,
                {x - distance, master, first->master_facet, master_xi});
     };
-    std::vector<FaceSample> near;
-    for (auto sample = of_facet.begin(); sample != of_facet.end();
-         sample += sample->n_of_triangle)
-      if (!is_far(&*sample))
-        near.insert(near.end(), sample, sample + sample->n_of_triangle);
-    of_facet = std::move(near);
+    auto end = of_facet.begin();
+    for (auto sample = of_facet.begin(); sample != of_facet.end();)
+      {
+        const auto next = sample + sample->n_of_triangle;
+        if (!is_far(sample, sample->n_of_triangle))
+          end = end == sample ? next : std::move(sample, next, end);
+        sample = next;
+      }
+    of_facet.erase(end, of_facet.end());
   }
 
 
