@@ -86,6 +86,11 @@ def plane():
     same("  the faces that touch", automatic, paired("three_faces", scene, {
         f"{a} {b}": {"Slave": f"{a} bottom", "Master": f"{b} top", **friction}
         for a, b in ("CB", "BA")}), 1e-4)
+    some = paired("three_bodies", scene, {"": {
+        **AUTOMATIC[""], "Bodies": "A, B"}, "smooth": {
+            "Slave": "C bottom", "Master": "B top"}})
+    check("  among some bodies", names(some) == {"contact B A", "contact smooth"},
+          names(some))
     smooth = paired("three_named", scene, {**AUTOMATIC, "smooth": {
         "Slave": "B bottom", "Master": "A top"}})
     check("  a named pair has its own friction, and no other beside it",
@@ -106,6 +111,11 @@ def refusals(scene):
                                    "Contact/Slave": "C bottom"}, "Contact/Surfaces"),
             ("twice", {"Contact/Surfaces": "automatic",
                        "Contact other/Surfaces": "automatic"}, "Two sections"),
+            ("no body", {"Contact/Surfaces": "automatic", "Contact/Bodies": "A, D"},
+             "no body 'D'"),
+            ("bodies of named surfaces", {
+                "Contact/Slave": "C bottom", "Contact/Master": "A top",
+                "Contact/Bodies": "A, C"}, "Contact/Bodies"),
             ("rings", {"Contact/Surfaces": "automatic",
                        "Solids/Symmetry": "axisymmetric"}, "name slave and master"),
             ("an interference", {"Contact/Surfaces": "automatic",

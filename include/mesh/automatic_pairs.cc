@@ -261,6 +261,26 @@ namespace Contact
 
 
 
+    /// The surfaces of the bodies that a section names.
+    std::map<std::string, BodySurface>
+    among(const Parameters::Contact                &section,
+          const std::map<std::string, BodySurface> &surfaces)
+    {
+      if (section.bodies.empty())
+        return surfaces;
+      std::map<std::string, BodySurface> found;
+      for (const std::string &body : section.bodies)
+        if (const auto surface = surfaces.find(body); surface != surfaces.end())
+          found.insert(*surface);
+        else
+          throw InputError("there is no body '" + body + "'",
+                           "entry '" + section.section() + "/Bodies'",
+                           "name bodies of the mesh");
+      return found;
+    }
+
+
+
     /// The section, or null.
     const Parameters::Contact *
     automatic_section(const Parameters::All &parameters)
@@ -298,7 +318,7 @@ namespace Contact
                        "name slave and master");
     const MshFile    msh      = read_with_surfaces(parameters.mesh);
     const OuterFaces faces    = outer_faces(msh);
-    const auto       surfaces = surfaces_of(msh, faces);
+    const auto       surfaces = among(*section, surfaces_of(msh, faces));
     const auto       named    = paired_by_name(parameters, msh, faces);
     const auto       modulus  = [&](const std::string &body) {
       const auto found = parameters.solids.youngs_modulus.find(body);
@@ -316,10 +336,11 @@ namespace Contact
         return;
       pairs.push_back(*section);
       pairs.back().surfaces = Parameters::ContactSurfaces::named;
-      pairs.back().is_made  = true;
-      pairs.back().name     = name_of_pair(slave + " " + master);
-      pairs.back().slave    = surface_of(slave);
-      pairs.back().master   = surface_of(master);
+      pairs.back().bodies.clear();
+      pairs.back().is_made = true;
+      pairs.back().name    = name_of_pair(slave + " " + master);
+      pairs.back().slave   = surface_of(slave);
+      pairs.back().master  = surface_of(master);
     };
     for (auto a = surfaces.begin(); a != surfaces.end(); ++a)
       {

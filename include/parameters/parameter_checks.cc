@@ -101,6 +101,10 @@ namespace Contact
                              "give it a section of its own, 'Contact NAME'");
           return;
         }
+      if (!bodies.empty())
+        throw EntryError("Bodies are named, and surfaces as well.",
+                         {section() + "/Bodies", section() + "/Surfaces"},
+                         "set 'Surfaces = automatic', or no bodies");
       if (!obstacle.empty())
         {
           const std::string entry = section() + "/Obstacle";

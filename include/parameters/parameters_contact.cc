@@ -45,6 +45,11 @@ namespace Contact
         "one of each body with itself; the other entries of this section are "
         "theirs.");
       prm.add_parameter(
+        "Bodies",
+        bodies,
+        "With automatic surfaces, the bodies that they are of [-], separated "
+        "by ','; empty: all.");
+      prm.add_parameter(
         "Obstacle",
         obstacle,
         "A rigid master without a mesh, instead of Master "

@@ -294,6 +294,9 @@ namespace Contact
       /// add_automatic_pairs().
       Choice<ContactSurfaces> surfaces = ContactSurfaces::named;
 
+      /// Those that automatic pairs are among; empty: all.
+      std::vector<std::string> bodies;
+
       /// Instead of a master: see Obstacle.
       std::map<Choice<ObstacleShape>, std::vector<double>> obstacle;
 
