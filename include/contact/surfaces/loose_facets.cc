@@ -126,10 +126,11 @@ namespace Contact
       cell->get_dof_indices(of_cell);
 
       LooseFacet<dim> facet;
-      facet.body       = cell->material_id();
-      facet.piece      = discretization.piece(cell);
-      facet.level      = cell->level();
-      facet.n_vertices = face->n_vertices();
+      facet.body        = cell->material_id();
+      facet.piece       = discretization.piece(cell);
+      facet.level       = cell->level();
+      facet.coarse_cell = coarse_cell(cell);
+      facet.n_vertices  = face->n_vertices();
       // Round sides do not make a flat face round.
       facet.middle = face->manifold_id() == numbers::flat_manifold_id
                        ? face->center()

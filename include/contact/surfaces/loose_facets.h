@@ -28,6 +28,7 @@ namespace Contact
     unsigned int                        part;
     Point<dim>                          middle;
     unsigned int                        level;
+    unsigned int                        coarse_cell;
     FacetName<dim>                      name;
 
     /// The first unknowns of the nodes that a hanging one follows, and by how
@@ -50,7 +51,7 @@ namespace Contact
             archive &dof;
           archive &node.X;
         }
-      archive &body &piece &part &middle &level;
+      archive &body &piece &part &middle &level &coarse_cell;
       for (auto &dof : name)
         archive &dof;
       for (auto &of_node : parents)

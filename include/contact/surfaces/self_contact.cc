@@ -11,24 +11,47 @@ namespace Contact
 {
   namespace
   {
+    /// Places and what they weigh.
+    template<int dim>
+    struct Mean
+    {
+      Tensor<1, dim> sum;
+      double         weight = 0;
+
+      void add(const Point<dim> &place, const double of_place)
+      {
+        sum += of_place * Tensor<1, dim>(place);
+        weight += of_place;
+      }
+    };
+
+
+
     /// A direction in which no two places of a surface with axes or planes of
-    /// symmetry are alike: along the first facets, seen from the middle of all,
-    /// and across, by golden sections.
+    /// symmetry are alike: along the facets of the first cells, seen from the
+    /// middle of all, and across, by golden sections. It is that of the coarse
+    /// mesh, however it is refined, and on any number of processes.
     template<int dim>
     Tensor<1, dim> oblique_direction(const Surface<dim> &surface)
     {
       const double golden = 0.618033988749895, smallest_sine = 1e-3;
-      Point<dim>   centre;
-      for (const SurfaceFacet<dim> &facet : surface.facets)
-        centre += facet.middle;
-      centre /= static_cast<double>(surface.facets.size());
+      Mean<dim>    all;
+      std::map<unsigned int, Mean<dim>> of_cells;
+      for (unsigned int e = 0; e < surface.facets.size(); ++e)
+        {
+          const SurfaceFacet<dim> &facet = surface.facets[e];
+          const double             size =
+            Utilities::fixed_power<dim - 1>(surface.reference_length(e));
+          all.add(facet.middle, size);
+          of_cells[facet.coarse_cell].add(facet.middle, size);
+        }
 
       std::vector<Tensor<1, dim>> basis;
       Tensor<1, dim>              direction;
       double                      part = 1;
-      for (const SurfaceFacet<dim> &facet : surface.facets)
+      for (const auto &[cell, mean] : of_cells)
         {
-          Tensor<1, dim> rest     = facet.middle - centre;
+          Tensor<1, dim> rest = mean.sum / mean.weight - all.sum / all.weight;
           const double   distance = rest.norm();
           for (const Tensor<1, dim> &known : basis)
             rest -= (rest * known) * known;

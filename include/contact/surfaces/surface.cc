@@ -73,13 +73,14 @@ namespace Contact
       for (const LooseFacet<dim> &loose : of_rank)
         {
           SurfaceFacet<dim> facet;
-          facet.kind   = &facet_kind<dim>(loose.n_vertices, degree);
-          facet.body   = loose.body;
-          facet.piece  = loose.piece;
-          facet.part   = loose.part;
-          facet.middle = loose.middle;
-          facet.level  = loose.level;
-          facet.name   = loose.name;
+          facet.kind        = &facet_kind<dim>(loose.n_vertices, degree);
+          facet.body        = loose.body;
+          facet.piece       = loose.piece;
+          facet.part        = loose.part;
+          facet.middle      = loose.middle;
+          facet.level       = loose.level;
+          facet.coarse_cell = loose.coarse_cell;
+          facet.name        = loose.name;
           for (unsigned int a = 0; a < facet.n_nodes(); ++a)
             {
               const SurfaceNode<dim> &node = loose.nodes[a];

@@ -99,6 +99,9 @@ namespace Contact
     /// The level of refinement of its cell; 0: a facet of the coarse mesh.
     unsigned int level = 0;
 
+    /// The cell of the coarse mesh that its cell is a part of.
+    unsigned int coarse_cell = 0;
+
     /// The same of all surfaces that have it.
     FacetName<dim> name;
 
