@@ -166,8 +166,7 @@ namespace Contact
                                   /*keep=*/after_a_step && !single_changes);
     if (after_a_step && n > 0)
       ++model.discretization->counters.active_set_changes;
-    // As the search does. Without the search statuses change from step to step,
-    // and a reset would begin each iteration of the friction loop anew.
+    // Without the search a reset would begin each friction iteration anew.
     if (system->has_multipliers() && after_a_step && !interface.bounds.follow)
       interface.bounds.reset_of_open_points();
     if (after_a_step && single_changes)
@@ -177,8 +176,7 @@ namespace Contact
 
 
 
-  // In 3-D slip turns with an obstacle although no force, and no status,
-  // changes: a step finds its direction.
+  // In 3-D slip turns with an obstacle: a step finds its direction.
   template<int dim>
   bool NewtonState<dim>::has_converged() const
   {
