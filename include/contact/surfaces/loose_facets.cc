@@ -47,17 +47,6 @@ namespace Contact
 
 
 
-    /// The cell of the coarse mesh that a cell is a part of.
-    template<typename Cell>
-    unsigned int coarse_cell(Cell cell)
-    {
-      while (cell->level() > 0)
-        cell = cell->parent();
-      return cell->index();
-    }
-
-
-
     /// The coordinates of a facet go round the outward normal.
     void
     orient(LooseFacet<2> &edge, const unsigned int, const Tensor<1, 2> &inward)
@@ -129,7 +118,7 @@ namespace Contact
       facet.body        = cell->material_id();
       facet.piece       = discretization.piece(cell);
       facet.level       = cell->level();
-      facet.coarse_cell = coarse_cell(cell);
+      facet.coarse_cell = cell->id().get_coarse_cell_id();
       facet.n_vertices  = face->n_vertices();
       // Round sides do not make a flat face round.
       facet.middle = face->manifold_id() == numbers::flat_manifold_id
@@ -179,8 +168,7 @@ namespace Contact
       {
         if (!cell->is_locally_owned() || !cell->at_boundary())
           continue;
-        const unsigned int of_cell =
-          parts[coarse_cell<typename Triangulation<dim>::cell_iterator>(cell)];
+        const unsigned int of_cell = parts[cell->id().get_coarse_cell_id()];
         if (part && of_cell != *part)
           continue;
         for (const unsigned int f : cell->face_indices())
