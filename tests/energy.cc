@@ -87,7 +87,8 @@ namespace
     check_small("tangent against those of the forces", found.tangent, 1e-8);
     check_small("asymmetry", found.asymmetry, 1e-14);
     check("projected as announced",
-          bodies.elasticity->is_projected(0) == (dilatation != "full"));
+          bodies.elasticity->elastic_body(0).is_projected ==
+            (dilatation != "full"));
   }
 
 
@@ -165,7 +166,9 @@ namespace
         parameters.solids.poisson["block"] = poisson;
         const Bodies bodies(parameters);
         std::cout << "  nu = " << poisson << ": "
-                  << (bodies.elasticity->is_projected(0) ? "projected" : "full")
+                  << (bodies.elasticity->elastic_body(0).is_projected
+                        ? "projected"
+                        : "full")
                   << std::endl;
       }
   }

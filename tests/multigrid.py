@@ -4,8 +4,8 @@
 
 Proves that
 
-- it has the probes of CHOLMOD to 1e-8, on tetrahedra and elements without centre
-  nodes as well: without and with friction, with large
+- it has the probes of CHOLMOD to 1e-8, on tetrahedra, elements without centre
+  nodes, with projected dilatation and incompatible modes as well: without and with friction, with large
   displacements, with hanging nodes in 2-D and at the surfaces of contact in
   3-D, at both degrees, on one process and on several;
 - its conjugate gradients take at most 12 iterations a solve, on coarse meshes and
@@ -86,6 +86,18 @@ both("20 nodes, hanging nodes", "nested_space", "Element/Degree=2", NO_CENTRE,
      "Refinement/Levels=1", "Refinement/Strategy=adaptive", ranks=(1, 2))
 both("degree 1", "nested", "Refinement/Levels=3", "Element/Degree=1",
      "Element/Centre node=serendipity")
+NEARLY = "Solids/Poisson's ratio=Block: 0.48, Cylinder: 0.3"
+for what, case in ("", "nested"), (", large displacement", "nested_large"):
+    both(f"B-bar, degree 1{what}", case, "Refinement/Levels=1", "Element/Degree=1",
+         NO_CENTRE, "Solids/Dilatation=B-bar", NEARLY)
+    both(f"B-bar, degree 2{what}", case, "Refinement/Levels=1", NEARLY, most=24)
+    both(f"incompatible modes{what}", case, "Refinement/Levels=2", "Element/Degree=1",
+         NO_CENTRE, "Solids/Incompatible modes=Block")
+for what, kinematics in ("", "small strain"), (", large displacement", "large displacement"):
+    for kind, entry in (("incompatible modes", "Solids/Incompatible modes=Foundation"),
+                        ("B-bar", "Solids/Poisson's ratio=Foundation: 0.48, Sphere: 0.3")):
+        both(f"space, {kind}{what}", "nested_space", "Refinement/Levels=1", entry,
+             f"Solids/Kinematics={kinematics}", ranks=(1, 2))
 space = both("space", "nested_space", "Refinement/Levels=1", "Element/Degree=2",
              "Element/Centre node=free", ranks=(1, 2))
 if space:

@@ -103,9 +103,10 @@ namespace Contact
 
 
 
-    const std::size_t widest_line     = 110;
-    const std::size_t width_of_number = 12; // six digits, sign, two of the exponent
-    const std::size_t width_of_time   = 9;
+    const std::size_t widest_line = 110;
+    const std::size_t width_of_number =
+      12; // six digits, sign, two of the exponent
+    const std::size_t width_of_time = 9;
   } // namespace
 
 

@@ -19,48 +19,50 @@
 
 namespace Contact
 {
-  namespace
+  // Of the polynomials 1, xi, eta, zeta, by modified Gram and Schmidt.
+  template<int dim>
+  std::vector<std::array<double, dim + 1>>
+  dilatation_modes(const FiniteElement<dim>  &fe,
+                   const Quadrature<dim>     &quadrature,
+                   const std::vector<double> &JxW)
   {
-    /**
-     * The first @p n_modes of the polynomials 1, xi, eta, zeta, made
-     * orthonormal with respect to the weights @p JxW of the points of a cell
-     * (modified Gram and Schmidt); none if there are as many as points, where
-     * projecting changes nothing.
-     */
-    template<int dim>
-    std::vector<std::array<double, dim + 1>>
-    orthonormal_modes(const Quadrature<dim>     &quadrature,
-                      const std::vector<double> &JxW,
-                      const unsigned int         n_modes)
-    {
-      if (n_modes >= quadrature.size())
-        return {};
+    const unsigned int n_modes = n_dilatation_modes(fe);
+    if (n_modes >= quadrature.size())
+      return {};
 
-      // Modes that are left out stay zero.
-      std::vector<std::array<double, dim + 1>> modes(quadrature.size());
-      const auto product = [&](const unsigned int m, const unsigned int n) {
-        double sum = 0;
+    // Modes that are left out stay zero.
+    std::vector<std::array<double, dim + 1>> modes(quadrature.size());
+    const auto product = [&](const unsigned int m, const unsigned int n) {
+      double sum = 0;
+      for (unsigned int q = 0; q < JxW.size(); ++q)
+        sum += JxW[q] * modes[q][m] * modes[q][n];
+      return sum;
+    };
+    for (unsigned int m = 0; m < n_modes; ++m)
+      {
         for (unsigned int q = 0; q < JxW.size(); ++q)
-          sum += JxW[q] * modes[q][m] * modes[q][n];
-        return sum;
-      };
-      for (unsigned int m = 0; m < n_modes; ++m)
-        {
-          for (unsigned int q = 0; q < JxW.size(); ++q)
-            modes[q][m] = m == 0 ? 1 : quadrature.point(q)[m - 1] - 0.5;
-          for (unsigned int n = 0; n < m; ++n)
-            {
-              const double part = product(m, n);
-              for (auto &mode : modes)
-                mode[m] -= part * mode[n];
-            }
-          const double norm = std::sqrt(product(m, m));
-          for (auto &mode : modes)
-            mode[m] /= norm;
-        }
-      return modes;
-    }
-  } // namespace
+          modes[q][m] = m == 0 ? 1 : quadrature.point(q)[m - 1] - 0.5;
+        for (unsigned int n = 0; n < m; ++n)
+          {
+            const double part = product(m, n);
+            for (auto &mode : modes)
+              mode[m] -= part * mode[n];
+          }
+        const double norm = std::sqrt(product(m, m));
+        for (auto &mode : modes)
+          mode[m] /= norm;
+      }
+    return modes;
+  }
+
+  template std::vector<std::array<double, 3>>
+  dilatation_modes(const FiniteElement<2> &,
+                   const Quadrature<2> &,
+                   const std::vector<double> &);
+  template std::vector<std::array<double, 4>>
+  dilatation_modes(const FiniteElement<3> &,
+                   const Quadrature<3> &,
+                   const std::vector<double> &);
 
 
 
@@ -264,13 +266,9 @@ namespace Contact
               transpose(Tensor<2, dim>(fe_values.inverse_jacobian(q))));
           }
         if (projected.count(cell.body) > 0)
-          cell.modes = orthonormal_modes<dim>(
-            fe_values.get_quadrature(),
-            cell.JxW,
-            discretization.degree == 2 &&
-                dof_cell->reference_cell().is_hyper_cube()
-              ? dim + 1
-              : 1);
+          cell.modes = dilatation_modes(dof_cell->get_fe(),
+                                        fe_values.get_quadrature(),
+                                        cell.JxW);
 
         if (discretization.degree == 1 &&
             !dof_cell->reference_cell().is_hyper_cube())

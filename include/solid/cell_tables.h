@@ -109,16 +109,41 @@ namespace Contact
     std::map<Pattern, UnitGradients<dim>> unit_gradients;
   };
 
-  /// The stresses of the incompatible modes of a cell, by point: see
-  /// CellIntegrals.
+  /// A body of a material that is linear elastic or St. Venant and Kirchhoff's.
+  struct ElasticBody
+  {
+    Material material;
+    bool     is_small_strain        = false;
+    bool     is_projected           = false; // its dilatation
+    bool     has_incompatible_modes = false;
+  };
+
+  /// The number of the modes of a projected dilatation: one, in quadrangles and
+  /// hexahedra of degree 2 dim + 1.
+  template<int dim>
+  unsigned int n_dilatation_modes(const FiniteElement<dim> &fe)
+  {
+    return fe.degree == 2 && fe.reference_cell().is_hyper_cube() ? dim + 1 : 1;
+  }
+
+  /// The modes of the projected dilatation of a cell, by point, see CellTable;
+  /// none if there are as many as points, where projecting changes nothing.
+  template<int dim>
+  std::vector<std::array<double, dim + 1>>
+  dilatation_modes(const FiniteElement<dim>  &fe,
+                   const Quadrature<dim>     &quadrature,
+                   const std::vector<double> &JxW);
+
+  /// The stresses of the incompatible modes of a cell, of which the maps of
+  /// gradients, JxW and the material are known, by point: see CellIntegrals.
   template<int dim>
   std::vector<std::array<SymmetricTensor<2, 3>, dim * dim>>
   stress_modes(const Quadrature<dim> &quadrature, const CellTable<dim> &cell);
 
-  /// Tabulate the cells. Those of bodies that are @p projected get modes: dim +
-  /// 1 in quadrangles and hexahedra of degree 2, one in others; those of @p
-  /// enhanced ones stress modes. Throws InputError if a triangle is enhanced.
-  /// The tables point to @p materials, which have to outlive them.
+  /// Tabulate the cells. Those of bodies that are @p projected get modes of
+  /// the dilatation, those of @p enhanced ones stress modes. Throws InputError
+  /// if a triangle is enhanced. The tables point to @p materials, which have to
+  /// outlive them.
   template<int dim>
   CellTables<dim>
   tabulate_cells(const Discretization<dim>                    &discretization,

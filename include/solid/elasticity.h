@@ -200,10 +200,13 @@ namespace Contact
       return springs.version() + n_first_steps;
     }
 
-    /// Whether the dilatation of the quadrangles of a body is projected.
-    bool is_projected(const types::material_id body) const
+    /// A body that is elastic.
+    ElasticBody elastic_body(const types::material_id body) const
     {
-      return projected.count(body) > 0;
+      return {material(body),
+              is_small_strain(body),
+              projected.count(body) > 0,
+              enhanced.count(body) > 0};
     }
 
     /// Cauchy stress [MPa] in all quadrature points, by active cell; nothing

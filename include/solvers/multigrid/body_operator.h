@@ -12,12 +12,12 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <functional>
 #include <map>
 #include <memory>
-#include <set>
 #include <vector>
 
-#include "solid/materials/kinematics.h"
+#include "solid/cell_tables.h"
 
 namespace Contact
 {
@@ -28,9 +28,10 @@ namespace Contact
    * MatrixFree: in hypercubes by sum factorization. Hanging nodes and
    * supports are eliminated. Bodies of St. Venant and Kirchhoff's material keep
    * the gradients of the displacement in the quadrature points, where with F =
-   * 1
-   * + grad u and the stress S the tangent is
-   *   dP = F (lambda tr(dE) 1 + 2 mu dE) + grad(du) S,  dE = sym(F^T grad(du)).
+   * 1 + grad u and the stress S the tangent is
+   *   dP = F dS + grad(du) S,   dS = D dE,   dE = sym(F^T grad(du)).
+   * The strain E has the stress D E = lambda tr(E) 1 + 2 mu E, and that of what
+   * cells assume as a whole (CellModes).
    */
   template<int dim, typename Number>
   class BodyOperator
@@ -38,20 +39,19 @@ namespace Contact
   public:
     using Vector = LinearAlgebra::distributed::Vector<Number>;
 
-    /// Materials are those of the material ids. @p constraints are taken as
+    /// Bodies are those of the material ids. @p constraints are taken as
     /// homogeneous; all references have to live on.
-    BodyOperator(const Mapping<dim>                           &mapping,
-                 const Quadrature<dim>                        &quadrature,
-                 const DoFHandler<dim>                        &dof_handler,
-                 const AffineConstraints<Number>              &constraints,
-                 const std::map<types::material_id, Material> &materials);
+    BodyOperator(const Mapping<dim>                              &mapping,
+                 const Quadrature<dim>                           &quadrature,
+                 const DoFHandler<dim>                           &dof_handler,
+                 const AffineConstraints<Number>                 &constraints,
+                 const std::map<types::material_id, ElasticBody> &bodies);
 
     ~BodyOperator();
 
-    /// Linearise the bodies of large displacement, which are not @p
-    /// small_strain, in @p u, all of whose values are set.
-    void linearize(const Vector                       &u,
-                   const std::set<types::material_id> &small_strain);
+    /// Linearise the bodies of large displacement in @p u, all of whose values
+    /// are set.
+    void linearize(const Vector &u);
 
     /// dst = K src: zero in constrained unknowns.
     void vmult(Vector &dst, const Vector &src) const;
@@ -65,6 +65,13 @@ namespace Contact
     /// over is without the couplings between them, which a smoother does not
     /// need.
     Vector diagonal() const;
+
+    /// Visit the cells of this rank: their tangent and unknowns, of which none
+    /// is eliminated.
+    void visit_tangents(
+      const std::function<
+        void(const FullMatrix<double>                   &tangent,
+             const std::vector<types::global_dof_index> &dofs)> &visitor) const;
 
     void initialize(Vector &vector) const
     {

@@ -37,22 +37,18 @@ namespace Contact
 
   template<int dim>
   ContactMultigrid<dim>::ContactMultigrid(
-    const Discretization<dim>   &discretization,
-    const Elasticity<dim>       &elasticity,
-    const ContactInterface<dim> *interface)
+    const Discretization<dim>                       &discretization,
+    const std::map<types::material_id, ElasticBody> &elastic_bodies,
+    const ContactInterface<dim>                     *interface)
     : discretization(discretization)
     , meshes(discretization.mesh.levels.of(discretization.mesh.triangulation))
+    , elastic_bodies(elastic_bodies)
   {
-    for (const auto &[name, body] : discretization.mesh.bodies)
-      {
-        materials.emplace(body, elasticity.material(body));
-        if (elasticity.is_small_strain(body))
-          small_strain.insert(body);
-      }
     for (const auto &mesh : meshes)
-      levels.push_back(std::make_unique<MultigridLevel<dim>>(*mesh,
-                                                             discretization,
-                                                             materials));
+      levels.push_back(
+        std::make_unique<MultigridLevel<dim>>(*mesh,
+                                              discretization,
+                                              this->elastic_bodies));
     make_levels(cells_of(interface));
     collect_coarse_cells();
   }
@@ -127,6 +123,13 @@ namespace Contact
       }
     coarse_supports = gathered(fixed, discretization.communicator);
     coarse_centres  = levels[0]->bound_centres();
+    no_constraints.close();
+    coarse_bodies =
+      std::make_unique<BodyOperator<dim, double>>(levels[0]->mapping,
+                                                  levels[0]->quadrature,
+                                                  levels[0]->dof_handler,
+                                                  no_constraints,
+                                                  elastic_bodies);
   }
 
 
@@ -156,16 +159,12 @@ namespace Contact
       {
         if (l + 1 < levels.size())
           transfers[l]->interpolate();
-        levels[l]->linearize(small_strain);
+        levels[l]->linearize();
       }
-    const auto &dof_handler = levels[0]->dof_handler;
-    coarse_displacement.reinit(dof_handler.locally_owned_dofs(),
-                               DoFTools::extract_locally_relevant_dofs(
-                                 dof_handler),
-                               discretization.communicator);
-    coarse_displacement.copy_locally_owned_data_from(levels[0]->solution);
-    coarse_displacement.update_ghost_values();
-    coarse_tangents.clear();
+    Fine of_coarsest;
+    coarse_bodies->initialize(of_coarsest);
+    of_coarsest.copy_locally_owned_data_from(levels[0]->solution);
+    coarse_bodies->linearize(of_coarsest);
     is_complete = false;
   }
 
@@ -197,27 +196,6 @@ namespace Contact
     if (has_new_lines)
       make_coarse_matrix();
     is_complete = true;
-  }
-
-
-
-  template<int dim>
-  void ContactMultigrid<dim>::make_coarse_tangents()
-  {
-    const MultigridLevel<dim> &level = *levels[0];
-    const FiniteElement<dim>  &fe    = level.dof_handler.get_fe();
-    const unsigned int         n     = fe.n_dofs_per_cell();
-    FEValues<dim>              values(level.mapping,
-                         fe,
-                         discretization.quadrature[0],
-                         update_gradients | update_JxW_values);
-    for (const auto &cell : level.dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          values.reinit(cell);
-          coarse_tangents.emplace_back(n, n);
-          add_tangent(coarse_tangents.back(), values, cell);
-        }
   }
 
 
@@ -306,15 +284,10 @@ namespace Contact
     else
       coarse_matrix = 0;
 
-    if (coarse_tangents.empty())
-      make_coarse_tangents();
-    auto tangent = coarse_tangents.begin();
-    for (const auto &cell : level.dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          cell->get_dof_indices(dofs);
-          all.distribute_local_to_global(*tangent++, dofs, coarse_matrix);
-        }
+    coarse_bodies->visit_tangents(
+      [&](const auto &tangent, const auto &of_cell) {
+        all.distribute_local_to_global(tangent, of_cell, coarse_matrix);
+      });
     for (unsigned int k = 0; k < springs.size(); ++k)
       add_spring(level.own_springs()[k].stiffness,
                  springs,
@@ -336,50 +309,6 @@ namespace Contact
         std::make_unique<Factorization>(/*may_be_indefinite=*/true,
                                         discretization.counters);
     coarse_solver->make(coarse_matrix, new_pattern);
-  }
-
-
-
-  // As BodyOperator.
-  template<int dim>
-  void ContactMultigrid<dim>::add_tangent(
-    FullMatrix<double>                                   &matrix,
-    FEValues<dim>                                        &values,
-    const typename DoFHandler<dim>::active_cell_iterator &cell) const
-  {
-    const FiniteElement<dim>     &fe       = values.get_fe();
-    const unsigned int            n        = fe.n_dofs_per_cell();
-    const Material               &material = materials.at(cell->material_id());
-    const SymmetricTensor<2, dim> unit     = unit_symmetric_tensor<dim>();
-    const bool                    is_large = coarse_displacement.size() > 0 &&
-                          small_strain.count(cell->material_id()) == 0;
-    std::vector<Tensor<2, dim>> gradients(values.n_quadrature_points);
-    if (is_large)
-      values[FEValuesExtractors::Vector(0)]
-        .get_function_gradients(coarse_displacement, gradients);
-    for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-      {
-        const Tensor<2, dim>          F = gradients[q] + Tensor<2, dim>(unit);
-        const SymmetricTensor<2, dim> S = material.template stress<dim>(
-          0.5 * (symmetrize(transpose(F) * F) - unit));
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            const unsigned int   a = fe.system_to_component_index(i).first;
-            const Tensor<1, dim> g = values.shape_grad(i, q);
-            const SymmetricTensor<2, dim> strain =
-              symmetrize(outer_product(F[a], g));
-            const Tensor<2, dim> P =
-              F * Tensor<2, dim>(material.template stress<dim>(strain)) *
-              values.JxW(q);
-            const Tensor<1, dim> S_g = S * g * values.JxW(q);
-            for (unsigned int j = 0; j < n; ++j)
-              {
-                const unsigned int b = fe.system_to_component_index(j).first;
-                const auto         h = values.shape_grad(j, q);
-                matrix(i, j) += P[b] * h + (a == b ? S_g * h : 0.);
-              }
-          }
-      }
   }
 
 

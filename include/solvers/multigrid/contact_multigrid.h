@@ -38,9 +38,10 @@ namespace Contact
     using Fine = LinearAlgebra::distributed::Vector<double>;
 
     /// @p interface may be null. Collective, as all functions.
-    ContactMultigrid(const Discretization<dim>   &discretization,
-                     const Elasticity<dim>       &elasticity,
-                     const ContactInterface<dim> *interface);
+    ContactMultigrid(
+      const Discretization<dim>                       &discretization,
+      const std::map<types::material_id, ElasticBody> &elastic_bodies,
+      const ContactInterface<dim>                     *interface);
 
     /// Linearise bodies of large displacement in @p solution. The lines have to
     /// be set anew.
@@ -63,24 +64,18 @@ namespace Contact
     SurfaceCells<dim> cells_of(const ContactInterface<dim> *interface) const;
     void              make_levels(const SurfaceCells<dim> &of_finest);
     void              collect_coarse_cells();
-    void              make_coarse_tangents();
     void              make_coarse_matrix();
 
     /// Know the unknowns that springs couple on the coarsest mesh. Returns
     /// whether there are couplings that were not known yet. Collective.
     bool                      add_couplings(const SurfaceRows &springs);
     AffineConstraints<double> coarse_constraints() const;
-    void                      add_tangent(
-                           FullMatrix<double>                                   &matrix,
-                           FEValues<dim>                                        &values,
-                           const typename DoFHandler<dim>::active_cell_iterator &cell) const;
-    void cycle(const unsigned int l) const;
-    void solve_coarse() const;
+    void                      cycle(const unsigned int l) const;
+    void                      solve_coarse() const;
 
     const Discretization<dim>                        &discretization;
     const typename LevelMeshes<dim>::List             meshes;
-    std::map<types::material_id, Material>            materials;
-    std::set<types::material_id>                      small_strain;
+    const std::map<types::material_id, ElasticBody>   elastic_bodies;
     std::vector<std::unique_ptr<MultigridLevel<dim>>> levels;
     std::vector<std::unique_ptr<LevelTransfer<dim>>>  transfers; // l: to l + 1
 
@@ -95,12 +90,12 @@ namespace Contact
     /// Of virtual displacements on the finest level, if they have other lines.
     SurfaceProjection<typename MultigridLevel<dim>::Number> test_projection;
 
-    std::vector<FullMatrix<double>> coarse_tangents;  // of this rank's cells
-    SurfaceRows                     coarse_lines;     // in the matrix
-    std::set<Dofs>                  coarse_couplings; // of springs, in it
-    TrilinosWrappers::SparseMatrix  coarse_matrix;
-    std::unique_ptr<Factorization>  coarse_solver;
-    Fine                            coarse_displacement; // if large
+    AffineConstraints<double>                  no_constraints;
+    std::unique_ptr<BodyOperator<dim, double>> coarse_bodies;
+    SurfaceRows                                coarse_lines; // in the matrix
+    std::set<Dofs>                 coarse_couplings; // of springs, in it
+    TrilinosWrappers::SparseMatrix coarse_matrix;
+    std::unique_ptr<Factorization> coarse_solver;
   };
 } // namespace Contact
 

@@ -13,16 +13,16 @@ namespace Contact
 {
   template<int dim>
   MultigridLevel<dim>::MultigridLevel(
-    const Triangulation<dim>                     &mesh,
-    const Discretization<dim>                    &finest,
-    const std::map<types::material_id, Material> &materials)
+    const Triangulation<dim>                        &mesh,
+    const Discretization<dim>                       &finest,
+    const std::map<types::material_id, ElasticBody> &elastic_bodies)
     : dof_handler(&mesh == &finest.mesh.triangulation ? finest.dof_handler
                                                       : own_dof_handler)
     , mapping(finest.mapping[0])
     , quadrature(finest.quadrature[0])
     , finest(finest)
     , communicator(finest.communicator)
-    , materials(materials)
+    , elastic_bodies(elastic_bodies)
   {
     if (&dof_handler == &own_dof_handler)
       {
@@ -69,7 +69,7 @@ namespace Contact
                                                          quadrature,
                                                          dof_handler,
                                                          constraints,
-                                                         materials);
+                                                         elastic_bodies);
     for (Vector *vector : {&rhs, &solution, &residual})
       bodies->initialize(*vector);
     make_smoother();
@@ -93,10 +93,9 @@ namespace Contact
 
 
   template<int dim>
-  void MultigridLevel<dim>::linearize(
-    const std::set<types::material_id> &small_strain)
+  void MultigridLevel<dim>::linearize()
   {
-    bodies->linearize(solution, small_strain);
+    bodies->linearize(solution);
     make_smoother();
   }
 

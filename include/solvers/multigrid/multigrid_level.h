@@ -35,17 +35,17 @@ namespace Contact
 
     /// Of the bodies on a coarser mesh, with the elements of the @p finest one,
     /// or on that.
-    MultigridLevel(const Triangulation<dim>                     &mesh,
-                   const Discretization<dim>                    &finest,
-                   const std::map<types::material_id, Material> &materials);
+    MultigridLevel(
+      const Triangulation<dim>                        &mesh,
+      const Discretization<dim>                       &finest,
+      const std::map<types::material_id, ElasticBody> &elastic_bodies);
 
     /// Support the unknowns @p fixed, of which each rank gives its own.
     /// Collective.
     void make_operator(const Dofs &fixed);
 
-    /// Linearise bodies of large displacement, which are not of @p
-    /// small_strain, in the present solution.
-    void linearize(const std::set<types::material_id> &small_strain);
+    /// Linearise bodies of large displacement in the present solution.
+    void linearize();
 
     /// Take over the elimination of the active points, @p new_lines in
     /// ascending order on all ranks. Returns whether they are others than
@@ -132,12 +132,12 @@ namespace Contact
     void invert_diagonal();
     Dofs on_ghosts(const Dofs &own) const;
 
-    const Discretization<dim>                    &finest;
-    const MPI_Comm                                communicator;
-    const std::map<types::material_id, Material> &materials;
-    AffineConstraints<Number>                     constraints;
-    std::unique_ptr<BodyOperator<dim, Number>>    bodies;
-    Vector                                        diagonal;
+    const Discretization<dim>                       &finest;
+    const MPI_Comm                                   communicator;
+    const std::map<types::material_id, ElasticBody> &elastic_bodies;
+    AffineConstraints<Number>                        constraints;
+    std::unique_ptr<BodyOperator<dim, Number>>       bodies;
+    Vector                                           diagonal;
     double largest_eigenvalue = 1; // of the bodies by their diagonal
     std::shared_ptr<DiagonalMatrix<Vector>> inverse; // with the springs
     SurfaceSprings<Number>                  springs;
