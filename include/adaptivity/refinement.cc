@@ -371,7 +371,7 @@ namespace Contact
     else
       transfer_distributed(mesh, discretization, solutions);
 
-    const auto constraints = followers(discretization);
+    const auto &constraints = discretization.followers();
     if (Utilities::MPI::max(constraints.n_constraints(),
                             discretization.communicator) > 0)
       for (GhostedVector &solution : solutions)

@@ -142,6 +142,7 @@ namespace Contact
 
     prescribed.clear();
     ties.clear();
+    known_followers.reset();
     leaders.clear();
     updates_vanish = true;
     this->collect_vertex_dofs();
@@ -339,6 +340,17 @@ namespace Contact
       }
     bind_centres(*this, dof_handler, own_constraints);
     own_constraints.close();
+  }
+
+
+
+  template<int dim>
+  const AffineConstraints<double> &Discretization<dim>::followers() const
+  {
+    if (!known_followers)
+      known_followers =
+        std::make_unique<AffineConstraints<double>>(make_followers(*this));
+    return *known_followers;
   }
 
 

@@ -11,6 +11,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 
@@ -205,6 +206,11 @@ namespace Contact
     double distance_from_supports(const GhostedVector &u,
                                   const double         load_factor) const;
 
+    /// The unknowns that follow others: hanging nodes, bound centres, ties;
+    /// without supports. The constraints of an update no longer know of those
+    /// whose leaders a support fixes. Made where they are first asked for.
+    const AffineConstraints<double> &followers() const;
+
     /// Whether the next update moves a supported unknown.
     bool update_is_prescribed() const
     {
@@ -320,6 +326,7 @@ namespace Contact
     std::vector<typename RigidBoundary<dim>::Line>       followers_of_rigid;
     unsigned int                                         n_patterns = 0;
     std::array<std::map<std::string, unsigned int>, dim> formula_of_rigid;
+    mutable std::unique_ptr<AffineConstraints<double>>   known_followers;
     bool                                                 updates_vanish = true;
     double largest_displacement                                         = 0;
   };

@@ -138,7 +138,8 @@ namespace Contact
 
 
   template<int dim>
-  AffineConstraints<double> followers(const Discretization<dim> &discretization)
+  AffineConstraints<double>
+  make_followers(const Discretization<dim> &discretization)
   {
     AffineConstraints<double> constraints;
     if (discretization.mesh.triangulation.has_hanging_nodes())
@@ -160,7 +161,7 @@ namespace Contact
   void hand_over_from_followers(const Discretization<dim> &discretization,
                                 GhostedVector             &forces)
   {
-    const auto constraints = followers(discretization);
+    const auto &constraints = discretization.followers();
     if (Utilities::MPI::max(constraints.n_constraints(),
                             discretization.communicator) == 0)
       return;
@@ -189,7 +190,8 @@ namespace Contact
   template void                      bind_centres(const Discretization<dim> &,  \
                                                   const DoFHandler<dim> &,      \
                                                   AffineConstraints<float> &);  \
-  template AffineConstraints<double> followers(const Discretization<dim> &);    \
+  template AffineConstraints<double> make_followers(                            \
+    const Discretization<dim> &);                                               \
   template void hand_over_from_followers(const Discretization<dim> &,           \
                                          GhostedVector &);
   INSTANTIATE(2)

@@ -49,14 +49,10 @@ namespace Contact
                     const DoFHandler<dim>     &dof_handler,
                     AffineConstraints<Number> &constraints);
 
-  /**
-   * The unknowns that follow others: hanging nodes, bound centres, ties;
-   * without supports. The constraints of an update no longer know of those
-   * whose leaders a support fixes.
-   */
+  /// Make the constraints of Discretization::followers().
   template<int dim>
   AffineConstraints<double>
-  followers(const Discretization<dim> &discretization);
+  make_followers(const Discretization<dim> &discretization);
 
   /// Hand over forces on followers to the unknowns that they follow: then a
   /// node carries what it exerts on its support. Collective.

@@ -96,7 +96,7 @@ namespace Contact
     GhostedVector v(discretization.distribution);
     for (const auto &[dof, weight] : weights)
       v[dof] = weight;
-    discretization.distribute(followers(discretization), v);
+    discretization.distribute(discretization.followers(), v);
     return v;
   }
 
