@@ -164,6 +164,27 @@ namespace Contact
                          const double         load_factor,
                          GhostedVector       &load) const;
 
+    /// Add what internal @p forces, or a part of them, do to the tangent where
+    /// rigid boundaries of large displacement turn, see RigidBoundary: with the
+    /// present constraints, which are of the displacements @p u.
+    template<typename Matrix>
+    void add_rigid_stiffness(const GhostedVector &u,
+                             const GhostedVector &forces,
+                             Matrix              &matrix) const
+    {
+      const bool is_first = Utilities::MPI::this_mpi_process(communicator) == 0;
+      for (const RigidBoundary<dim> &of : rigid)
+        if (of.is_large)
+          constraints.distribute_local_to_global(
+            of.stiffness(of.motion(u, targets(of, present_load_factor)),
+                         targets(of, present_load_factor),
+                         forces,
+                         is_first ? applied(of, present_load_factor)
+                                  : typename RigidBoundary<dim>::PerMotion()),
+            of.leaders(),
+            matrix);
+    }
+
     /// The sum of the magnitudes of the nodal forces on undeformed bodies.
     double rigid_load(const double load_factor) const;
 
@@ -300,6 +321,9 @@ namespace Contact
     void hold_parents_of_hanging_nodes();
     void collect_ties();
     void collect_rigid();
+    /// The force and moment on a boundary.
+    typename RigidBoundary<dim>::PerMotion
+         applied(const RigidBoundary<dim> &of, const double load_factor) const;
     void choose_rigid_leaders(RigidBoundary<dim> &boundary);
     void update_rigid_leaders(const GhostedVector &u, const double load_factor);
     std::vector<typename RigidBoundary<dim>::Line>
@@ -328,7 +352,8 @@ namespace Contact
     std::array<std::map<std::string, unsigned int>, dim> formula_of_rigid;
     mutable std::unique_ptr<AffineConstraints<double>>   known_followers;
     bool                                                 updates_vanish = true;
-    double largest_displacement                                         = 0;
+    double present_load_factor  = 0; // of the constraints
+    double largest_displacement = 0;
   };
 } // namespace Contact
 

@@ -143,6 +143,34 @@ namespace Contact
       SparseMatrix<double> *matrix,
       const StressStiffness stress_stiffness = StressStiffness::with) const;
 
+    /// Add what the internal forces on rigid boundaries that turn do to the
+    /// tangent: of several ranks each its own part.
+    template<typename Matrix>
+    void add_rigid_stiffness(const GhostedVector &u, Matrix &matrix) const
+    {
+      GhostedVector boundaries(discretization.distribution);
+      GhostedVector of_rank(discretization.distribution);
+      for (const RigidBoundary<dim> &boundary :
+           discretization.rigid_boundaries())
+        if (boundary.is_large)
+          for (const auto &node : boundary.nodes)
+            for (const auto dof : node.dofs)
+              if (boundaries.holds(dof))
+                boundaries[dof] = 1;
+      const std::vector<unsigned int> cells = cells_at(boundaries);
+      visit_cells(
+        u,
+        /*with_tangent=*/false,
+        [&](const std::vector<types::global_dof_index> &dofs,
+            const FullMatrix<double> &,
+            const Vector<double> &forces) {
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            of_rank[dofs[i]] += forces[i];
+        },
+        &cells);
+      discretization.add_rigid_stiffness(u, of_rank, matrix);
+    }
+
     /// The parts of the residual alone, constraints eliminated: add what the
     /// owned loads are, and subtract the internal forces of the own cells.
     void             add_loads(const GhostedVector &u,

@@ -32,7 +32,7 @@ namespace Contact
     // FE_Q(2) numbers the corners, the mid-sides, in 3-D the centres of faces,
     // and the centre. Leaders are in this order.
     template<int dim>
-    std::vector<BoundNode> bound_nodes_of_element()
+    std::vector<BoundNode> make_bound_nodes()
     {
       const unsigned int n_corners = GeometryInfo<dim>::vertices_per_cell,
                          n_sides   = GeometryInfo<dim>::lines_per_cell;
@@ -81,6 +81,15 @@ namespace Contact
 
 
   template<int dim>
+  const std::vector<BoundNode> &bound_nodes_of_element()
+  {
+    static const std::vector<BoundNode> nodes = make_bound_nodes<dim>();
+    return nodes;
+  }
+
+
+
+  template<int dim>
   std::vector<BoundNode>
   bound_nodes(const Discretization<dim> &discretization,
               const typename DoFHandler<dim>::active_cell_iterator &cell)
@@ -99,16 +108,19 @@ namespace Contact
 
 
   template<int dim, typename Number>
-  void bind_centres(const Discretization<dim> &discretization,
-                    const DoFHandler<dim>     &dof_handler,
-                    AffineConstraints<Number> &constraints)
+  void bind_centres(
+    const Discretization<dim> &discretization,
+    const DoFHandler<dim>     &dof_handler,
+    AffineConstraints<Number> &constraints,
+    const std::function<
+      bool(const typename DoFHandler<dim>::active_cell_iterator &)> &is_chosen)
   {
     if (!discretization.serendipity)
       return;
     std::vector<types::global_dof_index>                    dofs;
     std::vector<std::pair<types::global_dof_index, Number>> leaders;
     for (const auto &cell : dof_handler.active_cell_iterators())
-      if (!cell->is_artificial())
+      if (!cell->is_artificial() && is_chosen(cell))
         {
           const std::vector<BoundNode> bound =
             bound_nodes(discretization, cell);
@@ -180,19 +192,26 @@ namespace Contact
 
 
 
-#define INSTANTIATE(dim)                                                        \
-  template std::vector<BoundNode> bound_nodes(                                  \
-    const Discretization<dim> &,                                                \
-    const DoFHandler<dim>::active_cell_iterator &);                             \
-  template void                      bind_centres(const Discretization<dim> &,  \
-                                                  const DoFHandler<dim> &,      \
-                                                  AffineConstraints<double> &); \
-  template void                      bind_centres(const Discretization<dim> &,  \
-                                                  const DoFHandler<dim> &,      \
-                                                  AffineConstraints<float> &);  \
-  template AffineConstraints<double> make_followers(                            \
-    const Discretization<dim> &);                                               \
-  template void hand_over_from_followers(const Discretization<dim> &,           \
+#define INSTANTIATE(dim)                                                     \
+  template const std::vector<BoundNode> &bound_nodes_of_element<dim>();      \
+  template std::vector<BoundNode>        bound_nodes(                        \
+           const Discretization<dim> &,                                      \
+           const DoFHandler<dim>::active_cell_iterator &);                   \
+  template void bind_centres(                                                \
+    const Discretization<dim> &,                                             \
+    const DoFHandler<dim> &,                                                 \
+    AffineConstraints<double> &,                                             \
+    const std::function<bool(const DoFHandler<dim>::active_cell_iterator &)> \
+      &);                                                                    \
+  template void bind_centres(                                                \
+    const Discretization<dim> &,                                             \
+    const DoFHandler<dim> &,                                                 \
+    AffineConstraints<float> &,                                              \
+    const std::function<bool(const DoFHandler<dim>::active_cell_iterator &)> \
+      &);                                                                    \
+  template AffineConstraints<double> make_followers(                         \
+    const Discretization<dim> &);                                            \
+  template void hand_over_from_followers(const Discretization<dim> &,        \
                                          GhostedVector &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -9,6 +9,7 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
 
+#include <functional>
 #include <vector>
 
 #include "base/ghosted_vector.h"
@@ -27,6 +28,10 @@ namespace Contact
     std::vector<std::pair<unsigned int, double>> leaders;
   };
 
+  /// Those of a hypercube of degree 2, but for free ones.
+  template<int dim>
+  const std::vector<BoundNode> &bound_nodes_of_element();
+
   /// The bound nodes of a cell with serendipity; none of a triangle. The centre
   /// of a quadrangle of degree 2 follows the corners (-1/4) and the mid-side
   /// nodes (1/2), so do the centres of the faces of a hexahedron; its own
@@ -41,13 +46,17 @@ namespace Contact
               const typename DoFHandler<dim>::active_cell_iterator &cell);
 
   /// Add the constraints of serendipity elements on a mesh, which may be a
-  /// coarser one. Nodes on faces that supports hold are left out, and those
-  /// that hang: they follow the face of a larger cell, which is one of these
-  /// elements.
+  /// coarser one, or of chosen cells. Nodes on faces that supports hold are
+  /// left out, and those that hang: they follow the face of a larger cell,
+  /// which is one of these elements.
   template<int dim, typename Number>
-  void bind_centres(const Discretization<dim> &discretization,
-                    const DoFHandler<dim>     &dof_handler,
-                    AffineConstraints<Number> &constraints);
+  void bind_centres(
+    const Discretization<dim> &discretization,
+    const DoFHandler<dim>     &dof_handler,
+    AffineConstraints<Number> &constraints,
+    const std::function<
+      bool(const typename DoFHandler<dim>::active_cell_iterator &)> &is_chosen =
+      [](const auto &) { return true; });
 
   /// Make the constraints of Discretization::followers().
   template<int dim>

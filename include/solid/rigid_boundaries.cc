@@ -5,8 +5,6 @@
 
 #include "solid/rigid_boundaries.h"
 
-#include <deal.II/lac/full_matrix.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

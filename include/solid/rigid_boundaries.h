@@ -7,8 +7,10 @@
 #define contact_rigid_boundaries_h
 
 #include <deal.II/base/index_set.h>
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 #include <deal.II/base/types.h>
+#include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
 #include <array>
@@ -104,6 +106,22 @@ namespace Contact
                             const Targets       &targets,
                             const std::set<Dof> &held) const;
 
+    /**
+     * What forces that keep their directions do to the tangent as the boundary
+     * turns. With the turns omega_i of the leaders and the moment
+     *   V = sum (x - C) f^T - (P - C) F^T
+     * of the internal @p forces f in the nodes x and the @p applied force F in
+     * P, about the middle C of some nodes, it is
+     *   f . delta^2 u = omega_i . (sym V - tr(V) 1) omega_j   [N/mm],
+     * but for what is zero in equilibrium. That of a moment, which is not
+     * symmetric, is left out, and that of rotations which are prescribed about
+     * one or two axes.
+     */
+    FullMatrix<double> stiffness(const Motion        &motion,
+                                 const Targets       &targets,
+                                 const GhostedVector &forces,
+                                 const PerMotion     &applied) const;
+
     /// The vector of rotation of a motion, or its spin [rad].
     Tensor<1, 3> rotation(const Motion &motion) const;
 
@@ -168,6 +186,45 @@ namespace Contact
     std::vector<unsigned int> frame; // three nodes, in 2-D two
     std::vector<Leader>       all_leaders;
   };
+
+
+
+  template<int dim>
+  FullMatrix<double>
+  RigidBoundary<dim>::stiffness(const Motion        &motion,
+                                const Targets       &targets,
+                                const GhostedVector &forces,
+                                const PerMotion     &applied) const
+  {
+    Tensor<1, 3> C; // beside P
+    for (const unsigned int n : frame)
+      C += motion.R * nodes[n].arm / double(frame.size());
+    Tensor<2, 3> V;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        V[i][j] = C[i] * applied[j];
+    for (const Node &node : nodes)
+      for (unsigned int c = 0; c < dim; ++c)
+        if (forces.holds(node.dofs[c]))
+          {
+            const Tensor<1, 3> arm = motion.R * node.arm - C;
+            for (unsigned int i = 0; i < 3; ++i)
+              V[i][c] += arm[i] * forces[node.dofs[c]];
+          }
+    V = 0.5 * (V + transpose(V)) - trace(V) * unit_symmetric_tensor<3>();
+
+    const unsigned int        n = all_leaders.size();
+    const Tensor<2, 6>        A = inverse(motion, targets);
+    std::vector<Tensor<1, 3>> turns(n);
+    for (unsigned int l = 0; l < n; ++l)
+      for (unsigned int k = 0; k < 3; ++k)
+        turns[l][k] = A[3 + k][6 - n + l];
+    FullMatrix<double> stiffness(n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        stiffness(i, j) = turns[i] * (V * turns[j]);
+    return stiffness;
+  }
 } // namespace Contact
 
 #endif

@@ -310,24 +310,35 @@ namespace Contact
 
 
   template<int dim>
+  typename RigidBoundary<dim>::PerMotion
+  Discretization<dim>::applied(const RigidBoundary<dim> &of,
+                               const double              load_factor) const
+  {
+    typename RigidBoundary<dim>::PerMotion resultant{};
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        const std::string in = std::string(" ") + "xyz"[c];
+        if (const auto force = boundary.force[c].find(of.name);
+            force != boundary.force[c].end())
+          resultant[c] = force->second * factor("Force" + in, load_factor);
+        if (const auto moment = boundary.moment[c].find(of.name);
+            moment != boundary.moment[c].end())
+          resultant[3 + c] =
+            moment->second * factor("Moment" + in, load_factor);
+      }
+    return resultant;
+  }
+
+
+
+  template<int dim>
   void Discretization<dim>::add_rigid_loads(const GhostedVector &u,
                                             const double         load_factor,
                                             GhostedVector       &load) const
   {
     for (const RigidBoundary<dim> &of : rigid)
       {
-        typename RigidBoundary<dim>::PerMotion resultant{};
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            const std::string in = std::string(" ") + "xyz"[c];
-            if (const auto force = boundary.force[c].find(of.name);
-                force != boundary.force[c].end())
-              resultant[c] = force->second * factor("Force" + in, load_factor);
-            if (const auto moment = boundary.moment[c].find(of.name);
-                moment != boundary.moment[c].end())
-              resultant[3 + c] =
-                moment->second * factor("Moment" + in, load_factor);
-          }
+        const auto resultant = applied(of, load_factor);
         if (resultant == typename RigidBoundary<dim>::PerMotion())
           continue;
         const auto motion = of.motion(u, targets(of, load_factor));

@@ -72,6 +72,7 @@ namespace Contact
     bool is_fixed = true;
     if (!rigid.empty())
       {
+        present_load_factor = load_factor;
         update_rigid_leaders(u, load_factor);
         counters.rigid_updates += rigid.size();
         followers_of_rigid = rigid_lines(u, load_factor);

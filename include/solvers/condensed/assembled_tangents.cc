@@ -29,6 +29,9 @@ namespace Contact
       },
       &bulk_cells,
       stiffness);
+    if (!discretization.rigid_boundaries().empty() &&
+        stiffness == StressStiffness::with)
+      elasticity.add_rigid_stiffness(solution, matrix);
     matrix.compress(VectorOperation::add);
     changes.clear();
     if (elasticity.changes_by_yielding() && elasticity.springs.held().empty())

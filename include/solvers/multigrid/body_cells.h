@@ -11,6 +11,7 @@
 #include <deal.II/matrix_free/matrix_free.h>
 
 #include "solvers/multigrid/body_operator.h"
+#include "solvers/multigrid/cell_centres.h"
 #include "solvers/multigrid/cell_modes.h"
 
 namespace Contact
@@ -38,10 +39,10 @@ namespace Contact
     Cells(const Mapping<dim>                              &mapping,
           const Quadrature<dim>                           &quadrature,
           const DoFHandler<dim>                           &dof_handler,
-          const AffineConstraints<Number>                 &constraints,
+          const CentreBinding<dim, Number>                &centres,
           const std::map<types::material_id, ElasticBody> &bodies)
       : dof_handler(dof_handler)
-      , constraints(constraints)
+      , constraints(centres.constraints())
       , quadrature(quadrature)
       , degree(dof_handler.get_fe().degree)
       , is_tensor_product(dof_handler.get_fe().reference_cell().is_hyper_cube())
@@ -63,9 +64,14 @@ namespace Contact
                    has_incompatible_modes
                      ? dim * dim
                      : n_dilatation_modes(dof_handler.get_fe()));
+      cell_numbers = matrix_free.get_shape_info().lexicographic_numbering;
+      if (centres.has_any())
+        this->centres.make(dof_handler.get_fe(), cell_numbers);
+      is_bound.resize(matrix_free.n_cell_batches());
       for (unsigned int batch = 0; batch < matrix_free.n_cell_batches();
            ++batch)
         visit_cells(batch, [&](const unsigned int v, const auto &cell) {
+          is_bound[batch][v] = centres.is_in_cell(cell->active_cell_index());
           const ElasticBody &body = bodies.at(cell->material_id());
           lambda[batch][v]        = body.material.lambda;
           two_mu[batch][v]        = 2 * body.material.mu;
@@ -117,10 +123,8 @@ namespace Contact
     {
       FEEvaluation<dim, -1, 0, dim, Number, Numbers> u(matrix_free);
       const unsigned int                             n = u.dofs_per_cell;
-      const auto                                    &numbering =
-        matrix_free.get_shape_info().lexicographic_numbering;
-      std::vector<types::global_dof_index> dofs(n);
-      std::vector<FullMatrix<double>>      tangents(Numbers::size(),
+      std::vector<types::global_dof_index>           dofs(n);
+      std::vector<FullMatrix<double>>                tangents(Numbers::size(),
                                                FullMatrix<double>(n));
       for (unsigned int batch = 0; batch < matrix_free.n_cell_batches();
            ++batch)
@@ -135,7 +139,7 @@ namespace Contact
               u.integrate(EvaluationFlags::gradients);
               for (unsigned int i = 0; i < n; ++i)
                 for (unsigned int v = 0; v < Numbers::size(); ++v)
-                  tangents[v](numbering[i], numbering[j]) =
+                  tangents[v](cell_numbers[i], cell_numbers[j]) =
                     u.begin_dof_values()[i][v];
             }
           visit_cells(batch, [&](const unsigned int v, const auto &cell) {
@@ -213,6 +217,7 @@ namespace Contact
             }
           for (unsigned int i = 0; i < local.size(); ++i)
             local[i] += modes.product(batch, of_modes[i], of_modes[i]);
+          centres.hand_over_diagonal(is_bound[batch], local);
           visit_cells(batch, [&](const unsigned int v, const auto &cell) {
             cell->get_dof_indices(dofs);
             for (unsigned int i = 0; i < dofs.size(); ++i)
@@ -287,10 +292,15 @@ namespace Contact
           if constexpr (has_all_values)
             u.read_dof_values_plain(src);
           else
-            u.read_dof_values(src);
+            {
+              u.read_dof_values(src);
+              centres.bind(is_bound[batch], u.begin_dof_values());
+            }
           u.evaluate(EvaluationFlags::gradients);
           set_stresses(batch, u);
-          u.integrate_scatter(EvaluationFlags::gradients, dst);
+          u.integrate(EvaluationFlags::gradients);
+          centres.hand_over(is_bound[batch], u.begin_dof_values());
+          u.distribute_local_to_global(dst);
         }
     }
 
@@ -390,8 +400,12 @@ namespace Contact
 
     const std::map<types::material_id, ElasticBody> bodies;
 
+    /// The unknowns of a cell by their numbers in FEEvaluation.
+    std::vector<unsigned int> cell_numbers;
+    CellCentres<dim, Numbers> centres;
+
     /// By batch of cells.
-    AlignedVector<Numbers>  lambda, two_mu;
+    AlignedVector<Numbers>  is_bound, lambda, two_mu; // 1 or 0; [MPa]
     CellModes<dim, Numbers> modes;
 
     /// Of the displacement by point, if there are large ones, and the

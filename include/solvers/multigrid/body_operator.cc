@@ -40,12 +40,12 @@ namespace Contact
     const Mapping<dim>                              &mapping,
     const Quadrature<dim>                           &quadrature,
     const DoFHandler<dim>                           &dof_handler,
-    const AffineConstraints<Number>                 &constraints,
+    const CentreBinding<dim, Number>                &centres,
     const std::map<types::material_id, ElasticBody> &bodies)
     : cells(std::make_unique<Cells>(mapping,
                                     quadrature,
                                     dof_handler,
-                                    constraints,
+                                    centres,
                                     bodies))
     , partitioner(cells->matrix_free.get_vector_partitioner())
   {

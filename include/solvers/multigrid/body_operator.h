@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "solid/cell_tables.h"
+#include "solvers/multigrid/centre_binding.h"
 
 namespace Contact
 {
@@ -25,12 +26,12 @@ namespace Contact
 
   /**
    * The tangent of elastic bodies as a matrix-free operator, from deal.II's
-   * MatrixFree: in hypercubes by sum factorization. Hanging nodes and
-   * supports are eliminated. Bodies of St. Venant and Kirchhoff's material keep
-   * the gradients of the displacement in the quadrature points, where with F =
-   * 1 + grad u and the stress S the tangent is
-   *   dP = F dS + grad(du) S,   dS = D dE,   dE = sym(F^T grad(du)).
-   * The strain E has the stress D E = lambda tr(E) 1 + 2 mu E, and that of what
+   * MatrixFree: in hypercubes by sum factorization. Hanging nodes,
+   * supports and bound centres are eliminated. Bodies of St. Venant and
+   * Kirchhoff's material keep the gradients of the displacement in the
+   * quadrature points, where with F = 1 + grad u and the stress S the tangent
+   * is dP = F dS + grad(du) S,   dS = D dE,   dE = sym(F^T grad(du)). The
+   * strain E has the stress D E = lambda tr(E) 1 + 2 mu E, and that of what
    * cells assume as a whole (CellModes).
    */
   template<int dim, typename Number>
@@ -39,12 +40,12 @@ namespace Contact
   public:
     using Vector = LinearAlgebra::distributed::Vector<Number>;
 
-    /// Bodies are those of the material ids. @p constraints are taken as
+    /// Bodies are those of the material ids. Constraints are taken as
     /// homogeneous; all references have to live on.
     BodyOperator(const Mapping<dim>                              &mapping,
                  const Quadrature<dim>                           &quadrature,
                  const DoFHandler<dim>                           &dof_handler,
-                 const AffineConstraints<Number>                 &constraints,
+                 const CentreBinding<dim, Number>                &centres,
                  const std::map<types::material_id, ElasticBody> &bodies);
 
     ~BodyOperator();

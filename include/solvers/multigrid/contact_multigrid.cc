@@ -128,7 +128,7 @@ namespace Contact
       std::make_unique<BodyOperator<dim, double>>(levels[0]->mapping,
                                                   levels[0]->quadrature,
                                                   levels[0]->dof_handler,
-                                                  no_constraints,
+                                                  no_binding,
                                                   elastic_bodies);
   }
 

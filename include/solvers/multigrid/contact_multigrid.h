@@ -91,6 +91,7 @@ namespace Contact
     SurfaceProjection<typename MultigridLevel<dim>::Number> test_projection;
 
     AffineConstraints<double>                  no_constraints;
+    CentreBinding<dim, double>                 no_binding{no_constraints};
     std::unique_ptr<BodyOperator<dim, double>> coarse_bodies;
     SurfaceRows                                coarse_lines; // in the matrix
     std::set<Dofs>                 coarse_couplings; // of springs, in it

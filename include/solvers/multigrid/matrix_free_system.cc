@@ -196,11 +196,15 @@ namespace Contact
     std::map<types::material_id, ElasticBody> elastic_bodies;
     for (const auto &body : discretization.mesh.bodies)
       elastic_bodies.emplace(body.second, elasticity.elastic_body(body.second));
+    centres =
+      std::make_unique<CentreBinding<dim, double>>(discretization,
+                                                   discretization.dof_handler,
+                                                   discretization.constraints);
     bodies =
       std::make_unique<BodyOperator<dim, double>>(discretization.mapping[0],
                                                   discretization.quadrature[0],
                                                   discretization.dof_handler,
-                                                  discretization.constraints,
+                                                  *centres,
                                                   elastic_bodies);
     bodies->initialize(work);
     multigrid = std::make_unique<ContactMultigrid<dim>>(discretization,

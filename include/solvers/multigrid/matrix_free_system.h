@@ -121,10 +121,11 @@ namespace Contact
 
     static constexpr unsigned int max_iterations = 200;
 
-    const ContactInterface<dim>               *interface;
-    std::unique_ptr<BodyOperator<dim, double>> bodies;
-    std::unique_ptr<ContactMultigrid<dim>>     multigrid;
-    SurfaceLines<double>                       lines, test_lines;
+    const ContactInterface<dim>                *interface;
+    std::unique_ptr<CentreBinding<dim, double>> centres;
+    std::unique_ptr<BodyOperator<dim, double>>  bodies;
+    std::unique_ptr<ContactMultigrid<dim>>      multigrid;
+    SurfaceLines<double>                        lines, test_lines;
 
     /// Whether the present operator is indefinite, once somebody has asked.
     std::optional<bool> indefinite = false;

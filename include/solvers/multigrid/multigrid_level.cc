@@ -65,10 +65,13 @@ namespace Contact
         constraints.add_line(dof);
     bind_centres(finest, dof_handler, constraints);
     constraints.close();
-    bodies = std::make_unique<BodyOperator<dim, Number>>(mapping,
+    centres = std::make_unique<CentreBinding<dim, Number>>(finest,
+                                                           dof_handler,
+                                                           constraints);
+    bodies  = std::make_unique<BodyOperator<dim, Number>>(mapping,
                                                          quadrature,
                                                          dof_handler,
-                                                         constraints,
+                                                         *centres,
                                                          elastic_bodies);
     for (Vector *vector : {&rhs, &solution, &residual})
       bodies->initialize(*vector);

@@ -136,6 +136,7 @@ namespace Contact
     const MPI_Comm                                   communicator;
     const std::map<types::material_id, ElasticBody> &elastic_bodies;
     AffineConstraints<Number>                        constraints;
+    std::unique_ptr<CentreBinding<dim, Number>>      centres;
     std::unique_ptr<BodyOperator<dim, Number>>       bodies;
     Vector                                           diagonal;
     double largest_eigenvalue = 1; // of the bodies by their diagonal

@@ -348,6 +348,9 @@ namespace Contact
                               rhs,
                               &matrix,
                               stress_stiffness);
+          if (!discretization.rigid_boundaries().empty() &&
+              stress_stiffness == StressStiffness::with)
+            elasticity.add_rigid_stiffness(solution, matrix);
         }
       if (interface)
         ContactKernel<2>(*interface)
