@@ -10,6 +10,8 @@ Proves that
   pushes the head of a ring;
 - a rotation of any size turns a block without stress, to where formulas of the
   place would; the moment that this needs of a beam turns it as far again;
+- a force at the end of an arm takes at most 5 steps an increment in large
+  displacement, and its moment is that of where the arm is;
 - a punch that an eccentric force tilts has the forces of one that is moved so,
   and a block in 3-D that is refined adaptively is the same on two processes;
 - a moment that supports and contact share is noted, and what it is of supports;
@@ -193,6 +195,35 @@ def turns():
           f"{by_turn} {found} {steps} {said[:300]}")
 
 
+def arm():
+    """A dead force at the end of an arm: the clamped side has its moment about O,
+    where the arm is then, and steps converge quadratically."""
+    mesh = Mesh()
+    mesh.block("A", 8, 4, box(0, 0, 2, 1), {"left": "L", "right": "R"})
+    mesh.write("arm")
+    F = 0.5, -0.2
+    for ranks in (1, 2):
+        status, said, summary = run("arm", {
+            "Mesh/File": "arm.msh", "Mesh/Points": "P: 5, 4; O: -1, 0; E: 2, 0",
+            "Element/Degree": 2, "Solids/Young's modulus": "A: 100",
+            "Solids/Poisson's ratio": "A: 0.3", "Solution/Increments": 4,
+            BC + "Rigid": "L: O, R: P", BC + "Displacement x": "L: 0",
+            BC + "Displacement y": "L: 0", BC + "Rotation z": "L: 0",
+            BC + "Force x": f"R: {F[0]}", BC + "Force y": f"R: {F[1]}",
+            "Probes/Probes": "turn: rotation z, R; M: reaction moment z, L;"
+            " x: displacement x, E; y: displacement y, E"}, ranks)
+        found = values(summary) if status == 0 else {}
+        steps = [i["newton_iterations"] for i in summary.get("increments", [])]
+        if found:
+            c, s = math.cos(found["turn"]), math.sin(found["turn"])
+            x = 2 + found["x"] + c * 3 - s * 4
+            y = found["y"] + s * 3 + c * 4
+            expected = -((x + 1) * F[1] - y * F[0])
+        check(f"an arm turns, {ranks} processes",
+              found and near(found, {"M": expected}, 1e-7) and max(steps) <= 5
+              and found["turn"] < -0.3, f"{found} {steps} {said[:300]}")
+
+
 def punch():
     mesh = Mesh()
     mesh.block("A", 8, 3, box(-6, -5, 6, 0), {"bottom": "Base", "top": "Ground"})
@@ -326,6 +357,7 @@ def half_beam():
 
 columns()
 turns()
+arm()
 half_beam()
 punch()
 block_in_space()
