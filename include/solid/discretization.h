@@ -164,25 +164,43 @@ namespace Contact
                          const double         load_factor,
                          GhostedVector       &load) const;
 
-    /// Add what internal @p forces, or a part of them, do to the tangent where
-    /// rigid boundaries of large displacement turn, see RigidBoundary: with the
-    /// present constraints, which are of the displacements @p u.
+    /// Add what the force on a rigid boundary of large displacement and the
+    /// internal @p forces do to the tangent as it turns, with the present
+    /// constraints, which are of the displacements @p u. Internal forces that
+    /// are further from equilibrium than the applied ones are large are those
+    /// of no state to linearise. Collective.
     template<typename Matrix>
     void add_rigid_stiffness(const GhostedVector &u,
                              const GhostedVector &forces,
                              Matrix              &matrix) const
     {
-      const bool is_first = Utilities::MPI::this_mpi_process(communicator) == 0;
+      using PerMotion   = typename RigidBoundary<dim>::PerMotion;
+      const auto &owned = dof_handler.locally_owned_dofs();
       for (const RigidBoundary<dim> &of : rigid)
-        if (of.is_large)
-          constraints.distribute_local_to_global(
-            of.stiffness(of.motion(u, targets(of, present_load_factor)),
-                         targets(of, present_load_factor),
-                         forces,
-                         is_first ? applied(of, present_load_factor)
-                                  : typename RigidBoundary<dim>::PerMotion()),
-            of.leaders(),
-            matrix);
+        {
+          const PerMotion applied = this->applied(of, present_load_factor);
+          const auto      leaders = of.leaders();
+          if (!of.is_large || leaders.empty() || applied == PerMotion())
+            continue;
+          const auto targets = this->targets(of, present_load_factor);
+          const auto motion  = of.motion(u, targets);
+          PerMotion  net     = of.resultant(motion, forces, owned);
+          Utilities::MPI::sum(ArrayView<const double>(net.data(), net.size()),
+                              communicator,
+                              ArrayView<double>(net.data(), net.size()));
+          for (unsigned int k = 0; k < 6; ++k)
+            net[k] -= applied[k];
+          Tensor<2, 3> V =
+            Utilities::MPI::sum(of.moment(motion, forces, owned), communicator);
+          if (of.on_leaders(motion, targets, net).l2_norm() >
+              of.on_leaders(motion, targets, applied).l2_norm())
+            V = 0;
+          if (owned.is_element(leaders[0]))
+            constraints.distribute_local_to_global(
+              of.stiffness(motion, targets, V, applied),
+              leaders,
+              matrix);
+        }
     }
 
     /// The sum of the magnitudes of the nodal forces on undeformed bodies.

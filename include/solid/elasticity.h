@@ -143,32 +143,33 @@ namespace Contact
       SparseMatrix<double> *matrix,
       const StressStiffness stress_stiffness = StressStiffness::with) const;
 
-    /// Add what the internal forces on rigid boundaries that turn do to the
-    /// tangent: of several ranks each its own part.
+    /// Add what forces on rigid boundaries do to the tangent as these turn.
+    /// Collective.
     template<typename Matrix>
     void add_rigid_stiffness(const GhostedVector &u, Matrix &matrix) const
     {
+      if (discretization.rigid_boundaries().empty())
+        return;
       GhostedVector boundaries(discretization.distribution);
-      GhostedVector of_rank(discretization.distribution);
-      for (const RigidBoundary<dim> &boundary :
-           discretization.rigid_boundaries())
-        if (boundary.is_large)
-          for (const auto &node : boundary.nodes)
-            for (const auto dof : node.dofs)
-              if (boundaries.holds(dof))
-                boundaries[dof] = 1;
+      GhostedVector forces(discretization.distribution);
+      for (const auto &boundary : discretization.rigid_boundaries())
+        for (const auto &node : boundary.nodes)
+          for (const auto dof : node.dofs)
+            if (boundaries.holds(dof))
+              boundaries[dof] = 1;
       const std::vector<unsigned int> cells = cells_at(boundaries);
       visit_cells(
         u,
         /*with_tangent=*/false,
         [&](const std::vector<types::global_dof_index> &dofs,
             const FullMatrix<double> &,
-            const Vector<double> &forces) {
+            const Vector<double> &of_cell) {
           for (unsigned int i = 0; i < dofs.size(); ++i)
-            of_rank[dofs[i]] += forces[i];
+            forces[dofs[i]] += of_cell[i];
         },
         &cells);
-      discretization.add_rigid_stiffness(u, of_rank, matrix);
+      forces.compress_add();
+      discretization.add_rigid_stiffness(u, forces, matrix);
     }
 
     /// The parts of the residual alone, constraints eliminated: add what the

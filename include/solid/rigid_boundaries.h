@@ -11,6 +11,7 @@
 #include <deal.II/base/tensor.h>
 #include <deal.II/base/types.h>
 #include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
 
 #include <algorithm>
 #include <array>
@@ -106,21 +107,31 @@ namespace Contact
                             const Targets       &targets,
                             const std::set<Dof> &held) const;
 
+    /// The moment sum (x - C) f^T [N mm] of forces on the nodes x about the
+    /// middle C of some nodes: those of the @p owned unknowns.
+    Tensor<2, 3> moment(const Motion        &motion,
+                        const GhostedVector &forces,
+                        const IndexSet      &owned) const;
+
+    /// The forces on the leaders that a resultant makes [N].
+    Vector<double> on_leaders(const Motion    &motion,
+                              const Targets   &targets,
+                              const PerMotion &resultant) const;
+
     /**
      * What forces that keep their directions do to the tangent as the boundary
-     * turns. With the turns omega_i of the leaders and the moment
-     *   V = sum (x - C) f^T - (P - C) F^T
-     * of the internal @p forces f in the nodes x and the @p applied force F in
-     * P, about the middle C of some nodes, it is
+     * turns. With the turns omega_i of the leaders and
+     *   V = moment() of the internal forces f - (P - C) F^T
+     * with the force F that is applied in P, it is
      *   f . delta^2 u = omega_i . (sym V - tr(V) 1) omega_j   [N/mm],
-     * but for what is zero in equilibrium. That of a moment, which is not
-     * symmetric, is left out, and that of rotations which are prescribed about
-     * one or two axes.
+     * but for what is zero in equilibrium. Left out is the part of a moment,
+     * which is not symmetric in 3-D, and what rotations do that are prescribed
+     * about one or two axes.
      */
-    FullMatrix<double> stiffness(const Motion        &motion,
-                                 const Targets       &targets,
-                                 const GhostedVector &forces,
-                                 const PerMotion     &applied) const;
+    FullMatrix<double> stiffness(const Motion    &motion,
+                                 const Targets   &targets,
+                                 Tensor<2, 3>     V,
+                                 const PerMotion &applied) const;
 
     /// The vector of rotation of a motion, or its spin [rad].
     Tensor<1, 3> rotation(const Motion &motion) const;
@@ -176,6 +187,15 @@ namespace Contact
     /// The motions by the leaders: their columns come last.
     Tensor<2, 6> inverse(const Motion &motion, const Targets &targets) const;
 
+    /// C - P of moment() and stiffness().
+    Tensor<1, 3> middle(const Motion &motion) const
+    {
+      Tensor<1, 3> C;
+      for (const unsigned int n : frame)
+        C += motion.R * nodes[n].arm / double(frame.size());
+      return C;
+    }
+
     /// Impose the targets.
     void prescribe(const Targets &targets, Motion &motion) const;
 
@@ -190,27 +210,53 @@ namespace Contact
 
 
   template<int dim>
-  FullMatrix<double>
-  RigidBoundary<dim>::stiffness(const Motion        &motion,
-                                const Targets       &targets,
-                                const GhostedVector &forces,
-                                const PerMotion     &applied) const
+  Tensor<2, 3> RigidBoundary<dim>::moment(const Motion        &motion,
+                                          const GhostedVector &forces,
+                                          const IndexSet      &owned) const
   {
-    Tensor<1, 3> C; // beside P
-    for (const unsigned int n : frame)
-      C += motion.R * nodes[n].arm / double(frame.size());
-    Tensor<2, 3> V;
-    for (unsigned int i = 0; i < 3; ++i)
-      for (unsigned int j = 0; j < 3; ++j)
-        V[i][j] = C[i] * applied[j];
+    const Tensor<1, 3> C = middle(motion);
+    Tensor<2, 3>       sum;
     for (const Node &node : nodes)
       for (unsigned int c = 0; c < dim; ++c)
-        if (forces.holds(node.dofs[c]))
+        if (owned.is_element(node.dofs[c]))
           {
             const Tensor<1, 3> arm = motion.R * node.arm - C;
             for (unsigned int i = 0; i < 3; ++i)
-              V[i][c] += arm[i] * forces[node.dofs[c]];
+              sum[i][c] += arm[i] * forces[node.dofs[c]];
           }
+    return sum;
+  }
+
+
+
+  template<int dim>
+  Vector<double>
+  RigidBoundary<dim>::on_leaders(const Motion    &motion,
+                                 const Targets   &targets,
+                                 const PerMotion &resultant) const
+  {
+    const unsigned int n = all_leaders.size();
+    const Tensor<2, 6> A = inverse(motion, targets);
+    Vector<double>     forces(n);
+    for (unsigned int l = 0; l < n; ++l)
+      for (unsigned int k = 0; k < 6; ++k)
+        forces[l] += A[k][6 - n + l] * resultant[k];
+    return forces;
+  }
+
+
+
+  template<int dim>
+  FullMatrix<double>
+  RigidBoundary<dim>::stiffness(const Motion    &motion,
+                                const Targets   &targets,
+                                Tensor<2, 3>     V,
+                                const PerMotion &applied) const
+  {
+    const Tensor<1, 3> C = middle(motion);
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        V[i][j] += C[i] * applied[j];
     V = 0.5 * (V + transpose(V)) - trace(V) * unit_symmetric_tensor<3>();
 
     const unsigned int        n = all_leaders.size();

@@ -258,10 +258,6 @@ namespace Contact
   };
 
   template<>
-  void ContactPair<2>::begin_increment() const;
-  template<>
-  void ContactPair<3>::begin_increment() const;
-  template<>
   void ContactPair<2>::differentiate(ContactPoint<2>     &point,
                                      const GhostedVector &u,
                                      const PairingMode   &mode) const;

@@ -212,16 +212,8 @@ namespace Contact
 
 
 
-  // Edges choose by distances alone.
-  template<>
-  void ContactPair<2>::begin_increment() const
-  {
-  }
-
-
-
-  template<>
-  void ContactPair<3>::begin_increment() const
+  template<int dim>
+  void ContactPair<dim>::begin_increment() const
   {
     if (mortar)
       mortar->begin_increment();
@@ -256,6 +248,8 @@ namespace Contact
       }
   }
 
+  template void ContactPair<2>::begin_increment() const;
+  template void ContactPair<3>::begin_increment() const;
   template bool ContactPair<2>::pair(const ArrayView<ContactPoint<2>> &,
                                      const GhostedVector &,
                                      const PairingMode &) const;

@@ -93,6 +93,11 @@ namespace Contact
               const PairingMode                &mode,
               const BodyOverlap<2>             &bodies) const;
 
+    /// Edges choose by distances alone: nothing is kept.
+    void begin_increment() const
+    {
+    }
+
   private:
     void fill_in(const MortarGeometry<double> &now,
                  const MortarPairing<double>  &pairing,

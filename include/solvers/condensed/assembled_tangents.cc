@@ -29,9 +29,7 @@ namespace Contact
       },
       &bulk_cells,
       stiffness);
-    if (!discretization.rigid_boundaries().empty() &&
-        stiffness == StressStiffness::with)
-      elasticity.add_rigid_stiffness(solution, matrix);
+    elasticity.add_rigid_stiffness(solution, matrix);
     matrix.compress(VectorOperation::add);
     changes.clear();
     if (elasticity.changes_by_yielding() && elasticity.springs.held().empty())

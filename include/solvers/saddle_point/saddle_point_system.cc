@@ -348,9 +348,7 @@ namespace Contact
                               rhs,
                               &matrix,
                               stress_stiffness);
-          if (!discretization.rigid_boundaries().empty() &&
-              stress_stiffness == StressStiffness::with)
-            elasticity.add_rigid_stiffness(solution, matrix);
+          elasticity.add_rigid_stiffness(solution, matrix);
         }
       if (interface)
         ContactKernel<2>(*interface)
