@@ -297,6 +297,9 @@ for case, refinements in (("nested_tied", 2), ("nested_tied", 3),
 for what, case, *settings in (
         ("triangles", "ssnp154", "Contact/Discretization=mortar"),
         ("rings", "verification/nested_cylinders", "Contact/Discretization=mortar"),
+        ("a displacement formula", "nested_space", "Element/Degree=2", NO_CENTRE,
+         "Boundary conditions/Displacement z=Base: 0",
+         "Boundary conditions/Displacement formula z=Head: -0.2 + 0.02*sin(x)*sin(y)"),
         ("10000 times as stiff", "nested", MODULUS + "Block: 1, Cylinder: 1e5")):
     status, said, _ = solve(PARAMETERS / f"{case}.prm",
                             "Solution/Linear solver=GMG", *settings)

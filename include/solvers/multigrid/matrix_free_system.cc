@@ -54,6 +54,14 @@ namespace Contact
       }
     if (discretization.axisymmetric)
       return "rings";
+    // Centres of faces have the values of the formula, here, not of the
+    // element.
+    const auto &formulas = discretization.boundary.displacement_formula;
+    if (dim == 3 && discretization.serendipity &&
+        std::any_of(formulas.begin(), formulas.end(), [](const auto &of) {
+          return !of.empty();
+        }))
+      return "a displacement formula on elements without centre nodes";
     if (!elasticity.is_elastic())
       return "a material that is not linear elastic or St. Venant-Kirchhoff's";
     // A slave stiffer than by this: displacements have differed from those of
