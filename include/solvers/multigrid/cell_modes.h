@@ -9,8 +9,10 @@
 #include <deal.II/base/aligned_vector.h>
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "solid/cell_tables.h"
 
