@@ -4,10 +4,10 @@
 
 Proves that
 
-- it has the probes of CHOLMOD to 1e-8, on tetrahedra, elements without centre
-  nodes, with projected dilatation and incompatible modes as well: without and with friction, with large
-  displacements, with hanging nodes in 2-D and at the surfaces of contact in
-  3-D, at both degrees, on one process and on several;
+- it has the probes of CHOLMOD to 1e-8, on tetrahedra and elements without centre
+  nodes, with projected dilatation and incompatible modes as well: without and with
+  friction, with large displacements, with hanging nodes in 2-D and at the surfaces
+  of contact in 3-D, at both degrees, on one process and on several;
 - its conjugate gradients take at most 12 iterations a solve, on coarse meshes and
   fine ones, and if one side is up to a thousand times as stiff as the other or
   its cells eight times as small; at most twice as many as with equal bodies, in
@@ -94,9 +94,13 @@ for what, case in ("", "nested"), (", large displacement", "nested_large"):
     both(f"incompatible modes{what}", case, "Refinement/Levels=2", "Element/Degree=1",
          NO_CENTRE, "Solids/Incompatible modes=Block")
 for what, kinematics in ("", "small strain"), (", large displacement", "large displacement"):
-    for kind, entry in (("incompatible modes", "Solids/Incompatible modes=Foundation"),
-                        ("B-bar", "Solids/Poisson's ratio=Foundation: 0.48, Sphere: 0.3")):
-        both(f"space, {kind}{what}", "nested_space", "Refinement/Levels=1", entry,
+    for kind, *entries in (
+            ("incompatible modes", "Solids/Incompatible modes=Foundation"),
+            ("incompatible modes beside B-bar", "Solids/Incompatible modes=Sphere",
+             "Solids/Poisson's ratio=Foundation: 0.48, Sphere: 0.3"),
+            ("B-bar, 20 nodes", "Solids/Dilatation=B-bar", "Element/Degree=2",
+             NO_CENTRE)):
+        both(f"space, {kind}{what}", "nested_space", "Refinement/Levels=1", *entries,
              f"Solids/Kinematics={kinematics}", ranks=(1, 2))
 space = both("space", "nested_space", "Refinement/Levels=1", "Element/Degree=2",
              "Element/Centre node=free", ranks=(1, 2))

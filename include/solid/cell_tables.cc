@@ -19,7 +19,29 @@
 
 namespace Contact
 {
-  // Of the polynomials 1, xi, eta, zeta, by modified Gram and Schmidt.
+  namespace
+  {
+    /// Make the mode m of all points orthonormal to those before (modified Gram
+    /// and Schmidt), by the product of two modes.
+    template<class Modes, class Product>
+    void
+    orthonormalize(const unsigned int m, const Product &product, Modes &modes)
+    {
+      for (unsigned int l = 0; l < m; ++l)
+        {
+          const double part = product(m, l);
+          for (auto &mode : modes)
+            mode[m] -= part * mode[l];
+        }
+      const double norm = std::sqrt(product(m, m));
+      for (auto &mode : modes)
+        mode[m] /= norm;
+    }
+  } // namespace
+
+
+
+  // Of the polynomials 1, xi, eta, zeta.
   template<int dim>
   std::vector<std::array<double, dim + 1>>
   dilatation_modes(const FiniteElement<dim>  &fe,
@@ -42,15 +64,7 @@ namespace Contact
       {
         for (unsigned int q = 0; q < JxW.size(); ++q)
           modes[q][m] = m == 0 ? 1 : quadrature.point(q)[m - 1] - 0.5;
-        for (unsigned int n = 0; n < m; ++n)
-          {
-            const double part = product(m, n);
-            for (auto &mode : modes)
-              mode[m] -= part * mode[n];
-          }
-        const double norm = std::sqrt(product(m, m));
-        for (auto &mode : modes)
-          mode[m] /= norm;
+        orthonormalize(m, product, modes);
       }
     return modes;
   }
@@ -66,7 +80,6 @@ namespace Contact
 
 
 
-  // Modified Gram and Schmidt again.
   template<int dim>
   std::vector<std::array<SymmetricTensor<2, 3>, dim * dim>>
   stress_modes(const Quadrature<dim> &quadrature, const CellTable<dim> &cell)
@@ -111,15 +124,7 @@ namespace Contact
             mean /= std::accumulate(cell.JxW.begin(), cell.JxW.end(), 0.);
             for (auto &mode : modes)
               mode[m] -= mean;
-            for (unsigned int l = 0; l < m; ++l)
-              {
-                const double part = product(m, l);
-                for (auto &mode : modes)
-                  mode[m] -= part * mode[l];
-              }
-            const double norm = std::sqrt(product(m, m));
-            for (auto &mode : modes)
-              mode[m] /= norm;
+            orthonormalize(m, product, modes);
             ++m;
           }
     for (auto &mode : modes)

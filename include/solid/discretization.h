@@ -164,6 +164,13 @@ namespace Contact
                          const double         load_factor,
                          GhostedVector       &load) const;
 
+    /// Whether a rigid boundary may turn under a force or a moment.
+    bool turns_with_loads(const RigidBoundary<dim> &of) const
+    {
+      return of.is_large && applied(of, present_load_factor) !=
+                              typename RigidBoundary<dim>::PerMotion();
+    }
+
     /// Add what the force on a rigid boundary of large displacement and the
     /// internal @p forces do to the tangent as it turns, with the present
     /// constraints, which are of the displacements @p u. Internal forces that
@@ -178,13 +185,13 @@ namespace Contact
       const auto &owned = dof_handler.locally_owned_dofs();
       for (const RigidBoundary<dim> &of : rigid)
         {
-          const PerMotion applied = this->applied(of, present_load_factor);
-          const auto      leaders = of.leaders();
-          if (!of.is_large || leaders.empty() || applied == PerMotion())
+          const auto leaders = of.leaders();
+          if (!turns_with_loads(of) || leaders.empty())
             continue;
-          const auto targets = this->targets(of, present_load_factor);
-          const auto motion  = of.motion(u, targets);
-          PerMotion  net     = of.resultant(motion, forces, owned);
+          const PerMotion applied = this->applied(of, present_load_factor);
+          const auto      targets = this->targets(of, present_load_factor);
+          const auto      motion  = of.motion(u, targets);
+          PerMotion       net     = of.resultant(motion, forces, owned);
           Utilities::MPI::sum(ArrayView<const double>(net.data(), net.size()),
                               communicator,
                               ArrayView<double>(net.data(), net.size()));

@@ -148,11 +148,14 @@ namespace Contact
     template<typename Matrix>
     void add_rigid_stiffness(const GhostedVector &u, Matrix &matrix) const
     {
-      if (discretization.rigid_boundaries().empty())
+      const auto &all = discretization.rigid_boundaries();
+      if (std::none_of(all.begin(), all.end(), [&](const auto &boundary) {
+            return discretization.turns_with_loads(boundary);
+          }))
         return;
       GhostedVector boundaries(discretization.distribution);
       GhostedVector forces(discretization.distribution);
-      for (const auto &boundary : discretization.rigid_boundaries())
+      for (const auto &boundary : all)
         for (const auto &node : boundary.nodes)
           for (const auto dof : node.dofs)
             if (boundaries.holds(dof))

@@ -108,19 +108,18 @@ namespace Contact
 
 
   template<int dim, typename Number>
-  void bind_centres(
-    const Discretization<dim> &discretization,
-    const DoFHandler<dim>     &dof_handler,
-    AffineConstraints<Number> &constraints,
-    const std::function<
-      bool(const typename DoFHandler<dim>::active_cell_iterator &)> &is_chosen)
+  void bind_centres(const Discretization<dim> &discretization,
+                    const DoFHandler<dim>     &dof_handler,
+                    AffineConstraints<Number> &constraints,
+                    const std::vector<bool>   &left_out)
   {
     if (!discretization.serendipity)
       return;
     std::vector<types::global_dof_index>                    dofs;
     std::vector<std::pair<types::global_dof_index, Number>> leaders;
     for (const auto &cell : dof_handler.active_cell_iterators())
-      if (!cell->is_artificial() && is_chosen(cell))
+      if (!cell->is_artificial() &&
+          (left_out.empty() || !left_out[cell->active_cell_index()]))
         {
           const std::vector<BoundNode> bound =
             bound_nodes(discretization, cell);
@@ -192,26 +191,22 @@ namespace Contact
 
 
 
-#define INSTANTIATE(dim)                                                     \
-  template const std::vector<BoundNode> &bound_nodes_of_element<dim>();      \
-  template std::vector<BoundNode>        bound_nodes(                        \
-           const Discretization<dim> &,                                      \
-           const DoFHandler<dim>::active_cell_iterator &);                   \
-  template void bind_centres(                                                \
-    const Discretization<dim> &,                                             \
-    const DoFHandler<dim> &,                                                 \
-    AffineConstraints<double> &,                                             \
-    const std::function<bool(const DoFHandler<dim>::active_cell_iterator &)> \
-      &);                                                                    \
-  template void bind_centres(                                                \
-    const Discretization<dim> &,                                             \
-    const DoFHandler<dim> &,                                                 \
-    AffineConstraints<float> &,                                              \
-    const std::function<bool(const DoFHandler<dim>::active_cell_iterator &)> \
-      &);                                                                    \
-  template AffineConstraints<double> make_followers(                         \
-    const Discretization<dim> &);                                            \
-  template void hand_over_from_followers(const Discretization<dim> &,        \
+#define INSTANTIATE(dim)                                                       \
+  template const std::vector<BoundNode> &bound_nodes_of_element<dim>();        \
+  template std::vector<BoundNode>        bound_nodes(                          \
+           const Discretization<dim> &,                                        \
+           const DoFHandler<dim>::active_cell_iterator &);                     \
+  template void                      bind_centres(const Discretization<dim> &, \
+                                                  const DoFHandler<dim> &,     \
+                                                  AffineConstraints<double> &, \
+                                                  const std::vector<bool> &);  \
+  template void                      bind_centres(const Discretization<dim> &, \
+                                                  const DoFHandler<dim> &,     \
+                                                  AffineConstraints<float> &,  \
+                                                  const std::vector<bool> &);  \
+  template AffineConstraints<double> make_followers(                           \
+    const Discretization<dim> &);                                              \
+  template void hand_over_from_followers(const Discretization<dim> &,          \
                                          GhostedVector &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -9,7 +9,6 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
 
-#include <functional>
 #include <vector>
 
 #include "base/ghosted_vector.h"
@@ -46,17 +45,14 @@ namespace Contact
               const typename DoFHandler<dim>::active_cell_iterator &cell);
 
   /// Add the constraints of serendipity elements on a mesh, which may be a
-  /// coarser one, or of chosen cells. Nodes on faces that supports hold are
-  /// left out, and those that hang: they follow the face of a larger cell,
-  /// which is one of these elements.
+  /// coarser one, but of the active cells that are @p left_out. Nodes on faces
+  /// that supports hold have none, nor those that hang: they follow the face of
+  /// a larger cell, which is one of these elements.
   template<int dim, typename Number>
-  void bind_centres(
-    const Discretization<dim> &discretization,
-    const DoFHandler<dim>     &dof_handler,
-    AffineConstraints<Number> &constraints,
-    const std::function<
-      bool(const typename DoFHandler<dim>::active_cell_iterator &)> &is_chosen =
-      [](const auto &) { return true; });
+  void bind_centres(const Discretization<dim> &discretization,
+                    const DoFHandler<dim>     &dof_handler,
+                    AffineConstraints<Number> &constraints,
+                    const std::vector<bool>   &left_out = {});
 
   /// Make the constraints of Discretization::followers().
   template<int dim>

@@ -39,10 +39,10 @@ namespace Contact
     Cells(const Mapping<dim>                              &mapping,
           const Quadrature<dim>                           &quadrature,
           const DoFHandler<dim>                           &dof_handler,
-          const CentreBinding<dim, Number>                &centres,
+          const CentreBinding<dim, Number>                &binding,
           const std::map<types::material_id, ElasticBody> &bodies)
       : dof_handler(dof_handler)
-      , constraints(centres.constraints())
+      , constraints(binding.constraints())
       , quadrature(quadrature)
       , degree(dof_handler.get_fe().degree)
       , is_tensor_product(dof_handler.get_fe().reference_cell().is_hyper_cube())
@@ -65,13 +65,13 @@ namespace Contact
                      ? dim * dim
                      : n_dilatation_modes(dof_handler.get_fe()));
       cell_numbers = matrix_free.get_shape_info().lexicographic_numbering;
-      if (centres.has_any())
-        this->centres.make(dof_handler.get_fe(), cell_numbers);
+      if (binding.has_any())
+        centres.make(dof_handler.get_fe(), cell_numbers);
       is_bound.resize(matrix_free.n_cell_batches());
       for (unsigned int batch = 0; batch < matrix_free.n_cell_batches();
            ++batch)
         visit_cells(batch, [&](const unsigned int v, const auto &cell) {
-          is_bound[batch][v] = centres.is_in_cell(cell->active_cell_index());
+          is_bound[batch][v] = binding.is_in_cell(cell->active_cell_index());
           const ElasticBody &body = bodies.at(cell->material_id());
           lambda[batch][v]        = body.material.lambda;
           two_mu[batch][v]        = 2 * body.material.mu;

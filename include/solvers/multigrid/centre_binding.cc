@@ -7,7 +7,6 @@
 
 #include <deal.II/dofs/dof_tools.h>
 
-#include <algorithm>
 #include <unordered_set>
 
 #include "solid/followers.h"
@@ -56,9 +55,7 @@ namespace Contact
                          .component_to_system_index(c, follower.node)]) == 0;
           in_cell[cell->active_cell_index()] = is_regular;
         }
-    bind_centres(discretization, dof_handler, others, [&](const auto &cell) {
-      return !in_cell[cell->active_cell_index()];
-    });
+    bind_centres(discretization, dof_handler, others, in_cell);
     others.close();
   }
 

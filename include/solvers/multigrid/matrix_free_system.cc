@@ -131,8 +131,8 @@ namespace Contact
   MatrixFreeSystem<dim>::is_preferred(const Discretization<dim> &discretization,
                                       const Elasticity<dim>     &elasticity)
   {
-    // Points do not smooth what has to keep its volume: of nu = 0.49, 0.499 and
-    // 0.4999 conjugate gradients take some 10, 30 and 100 iterations.
+    // Points do not smooth what has to keep its volume: of nu = 0.49 and 0.499
+    // conjugate gradients take 22 and 77 iterations in 2-D, 8 and 31 in 3-D.
     const double largest_ratio = 100;
     const auto  &bodies        = discretization.mesh.bodies;
     return is_worth_it(discretization, elasticity) &&
