@@ -164,18 +164,23 @@ namespace Contact
                          const double         load_factor,
                          GhostedVector       &load) const;
 
-    /// Whether a rigid boundary may turn under a force or a moment.
+    /// Whether a rigid boundary of large displacement may turn under a force,
+    /// a moment or the reaction of a displacement.
     bool turns_with_loads(const RigidBoundary<dim> &of) const
     {
-      return of.is_large && applied(of, present_load_factor) !=
-                              typename RigidBoundary<dim>::PerMotion();
+      const auto targets = this->targets(of, present_load_factor);
+      return of.is_large && of.turns(targets) &&
+             (targets.holds_place() ||
+              applied(of, present_load_factor) !=
+                typename RigidBoundary<dim>::PerMotion());
     }
 
-    /// Add what the force on a rigid boundary of large displacement and the
-    /// internal @p forces do to the tangent as it turns, with the present
-    /// constraints, which are of the displacements @p u. Internal forces that
-    /// are further from equilibrium than the applied ones are large are those
-    /// of no state to linearise. Collective.
+    /// Add what the force on a rigid boundary of large displacement, applied or
+    /// the reaction of a displacement, and the internal @p forces do to the
+    /// tangent as it turns, with the present constraints, which are of the
+    /// displacements @p u. Internal forces that are further from equilibrium
+    /// than the applied ones are large are those of no state to linearise.
+    /// Collective.
     template<typename Matrix>
     void add_rigid_stiffness(const GhostedVector &u,
                              const GhostedVector &forces,
@@ -188,19 +193,25 @@ namespace Contact
           const auto leaders = of.leaders();
           if (!turns_with_loads(of) || leaders.empty())
             continue;
-          const PerMotion applied = this->applied(of, present_load_factor);
-          const auto      targets = this->targets(of, present_load_factor);
-          const auto      motion  = of.motion(u, targets);
-          PerMotion       net     = of.resultant(motion, forces, owned);
+          PerMotion  applied = this->applied(of, present_load_factor);
+          const auto targets = this->targets(of, present_load_factor);
+          const auto motion  = of.motion(u, targets);
+          PerMotion  net     = of.resultant(motion, forces, owned);
           Utilities::MPI::sum(ArrayView<const double>(net.data(), net.size()),
                               communicator,
                               ArrayView<double>(net.data(), net.size()));
+          double force = 0; // [N]
           for (unsigned int k = 0; k < 6; ++k)
-            net[k] -= applied[k];
+            {
+              if (k < 3 && targets.is_prescribed[k])
+                applied[k] = net[k];
+              net[k] -= applied[k];
+              force += k < 3 ? std::abs(applied[k]) : 0;
+            }
           Tensor<2, 3> V =
             Utilities::MPI::sum(of.moment(motion, forces, owned), communicator);
           if (of.on_leaders(motion, targets, net).l2_norm() >
-              of.on_leaders(motion, targets, applied).l2_norm())
+              force + of.on_leaders(motion, targets, applied).l2_norm())
             V = 0;
           if (owned.is_element(leaders[0]))
             constraints.distribute_local_to_global(

@@ -68,6 +68,12 @@ namespace Contact
     {
       std::array<bool, 6> is_prescribed{};
       PerMotion           value{};
+
+      /// Whether the displacement of P is prescribed in some direction.
+      bool holds_place() const
+      {
+        return is_prescribed[0] || is_prescribed[1] || is_prescribed[2];
+      }
     };
 
     struct Motion
@@ -98,6 +104,15 @@ namespace Contact
     double quality(const Motion &motion, const Targets &targets) const;
 
     std::vector<Dof> leaders() const;
+
+    /// Whether it is free to turn about some axis.
+    bool turns(const Targets &targets) const
+    {
+      for (unsigned int k = 3; k < 6; ++k)
+        if (!is_missing[k] && !targets.is_prescribed[k])
+          return true;
+      return false;
+    }
 
     /// The motion that the leaders among @p u and the @p targets tell.
     Motion motion(const GhostedVector &u, const Targets &targets) const;
