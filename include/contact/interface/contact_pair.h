@@ -234,8 +234,10 @@ namespace Contact
     NormalCone<dim> directions(const ContactPoint<dim>    &point,
                                const DeformedSurface<dim> &now,
                                const GhostedVector        &u) const;
-    void            exclude(const std::string &group, const std::string &entry);
-    bool            can_have_corner_points() const;
+    void leave_to_other_sides(const ArrayView<ContactPoint<dim>> &points,
+                              const GhostedVector                &u) const;
+    void exclude(const std::string &group, const std::string &entry);
+    bool can_have_corner_points() const;
     std::vector<ContactPoint<dim>> make_discretization_points();
     void make_axis_points(std::vector<ContactPoint<dim>> &points);
     bool pair_all(const ArrayView<ContactPoint<dim>> &points,

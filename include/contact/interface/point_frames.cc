@@ -124,9 +124,17 @@ namespace Contact
     const std::vector<ContactPoint<dim>>  &points,
     const std::vector<ContactPair<dim> *> &to) const
   {
+    const auto look_at_one_body = [&](const unsigned int a,
+                                      const unsigned int b) {
+      const auto &of_a = (*pairs)[a]->master, &of_b = (*pairs)[b]->master;
+      return a == b ||
+             (of_a && of_b && of_a->facets[0].part == of_b->facets[0].part);
+    };
     for (const auto &[q, others] : others_at_node)
       for (const unsigned int other : others)
         if (!points[q].is_master_corner && !points[other].is_master_corner &&
+            look_at_one_body(points[q].contact_pair,
+                             points[other].contact_pair) &&
             !have_common_facets(points[q], points[other]))
           {
             ContactPair<dim>   &own = *to[points[q].contact_pair];
