@@ -29,9 +29,12 @@ namespace Contact
   {
     if (is_with_itself())
       return !SelfContact<dim>::are_back_to_back(place, other);
-    const Point<dim> middle = place.x + 0.5 * (other.x - place.x);
-    return is_inside(place.x, 1 - of_place) && is_inside(other.x, of_place) &&
-           is_inside(middle, 0) && is_inside(middle, 1);
+    const Tensor<1, dim> way    = other.x - place.x;
+    const Point<dim>     middle = place.x + 0.5 * way;
+    const double depth = NormalCone<dim>::smallest_cosine() * way.norm();
+    return is_inside(place.x, 1 - of_place, depth) &&
+           is_inside(other.x, of_place, depth) && is_inside(middle, 0, 0) &&
+           is_inside(middle, 1, 0);
   }
 
 
@@ -62,7 +65,8 @@ namespace Contact
   // hollow one no place has the edge as its closest.
   template<int dim>
   bool BodyOverlap<dim>::is_inside(const Point<dim>  &x,
-                                   const unsigned int body) const
+                                   const unsigned int body,
+                                   const double       depth) const
   {
     if (deformed[body].empty())
       for (const Surface<dim> *surface : surfaces[body])
@@ -88,7 +92,8 @@ namespace Contact
         is_beyond = is_nearer && is_beyond_end(surface, projection, x, beyond);
         nearest   = std::min(nearest, distance);
       }
-    return nearest <= beyond || (is_behind && !is_beyond);
+    return nearest <= beyond ? depth <= beyond
+                             : is_behind && !is_beyond && nearest >= depth;
   }
 
   template class BodyOverlap<2>;

@@ -21,6 +21,9 @@ namespace Contact
    * place of a surface faces behind it is either what it has gone through, or
    * the far side of a body. In an overlap the line between both is inside of
    * both bodies: its ends are inside of the other's, and its middle of both.
+   * Surfaces that face each other are the shortest way out but for the angle
+   * between them: where a body is less than that deep, other sides of it are
+   * nearer, as where one that stands on another juts out over it.
    * Inside of a body is what lies behind the closest of all of its surfaces
    * that are known.
    */
@@ -57,7 +60,9 @@ namespace Contact
                     const SurfacePlace<dim> &other) const;
 
   private:
-    bool is_inside(const Point<dim> &x, const unsigned int body) const;
+    bool is_inside(const Point<dim>  &x,
+                   const unsigned int body,
+                   const double       depth) const;
 
     const Surfaces      &surfaces;
     const GhostedVector &u;
