@@ -22,37 +22,33 @@ namespace Contact
   bool NewtonGlobalization::advance(const double       residual,
                                     const unsigned int n_changes)
   {
-    const bool is_same =
-      n_changes == 0 && std::abs(residual - last) < residual / 50;
-    n_still = is_same ? n_still + 1 : 0;
-    all.push_back(residual);
+    steps.push_back({residual, n_changes});
     const bool is_smallest = residual < best;
-    last                   = residual;
     best                   = std::min(best, residual);
     return is_smallest;
   }
 
 
 
-  bool NewtonGlobalization::stands_still() const
-  {
-    return n_still >= max_still;
-  }
-
-
-
   unsigned int NewtonGlobalization::circle() const
   {
-    const unsigned int n_repeated = 20, longest = 20;
-    const double       same = 1e-3;
-    for (unsigned int k = 1; k <= longest && n_repeated + k <= all.size(); ++k)
-      if (std::equal(all.end() - n_repeated,
-                     all.end(),
-                     all.end() - n_repeated - k,
-                     [&](const double now, const double before) {
-                       return std::abs(now - before) <= same * now;
-                     }))
-        return k;
+    const unsigned int longest = 20;
+    const double       same    = 1e-2;
+    for (unsigned int k = 1; k <= longest && k < steps.size(); ++k)
+      {
+        const unsigned int n_repeated =
+          steps.back().n_changes == 0 && k == 1 ? 5 : std::max(patience, 2 * k);
+        if (n_repeated + k <= steps.size() &&
+            std::equal(steps.end() - n_repeated,
+                       steps.end(),
+                       steps.end() - n_repeated - k,
+                       [&](const Step &now, const Step &before) {
+                         return now.n_changes == before.n_changes &&
+                                std::abs(now.residual - before.residual) <=
+                                  same * now.residual;
+                       }))
+          return k;
+      }
     return 0;
   }
 
@@ -60,9 +56,8 @@ namespace Contact
 
   void NewtonGlobalization::forget()
   {
-    n_still = 0;
-    all.clear();
-    last = best = std::numeric_limits<double>::max();
+    steps.clear();
+    best = std::numeric_limits<double>::max();
   }
 
 

@@ -21,12 +21,10 @@ namespace Contact
    * step cancels it to its round-off only: where that is above the tolerance,
    * the method is lost.
    *
-   * Where no point changes its status and the residual is the same for five
-   * steps, within a tenth, the tangent knows nothing of what holds it: more
-   * steps do not help, unless the pairing has been frozen meanwhile.
-   *
-   * Circles: residuals of twenty steps that repeat those of one to twenty steps
-   * before, within a thousandth, go on like that.
+   * Circles: steps that repeat those of one to twenty steps before, in residual
+   * within a hundredth and in the number of points that want to change, go on
+   * like that, but where the pairing has been frozen meanwhile. Where no point
+   * changes five of them tell, otherwise ten, or twice the circle.
    *
    * Cycles: all points change their status at once. If their number has not
    * come below its minimum for ten steps in which points change at all, one
@@ -44,17 +42,14 @@ namespace Contact
     /// change their statuses: returns whether the residual is the smallest.
     bool advance(const double residual, const unsigned int n_changes);
 
-    /// Whether the residual is that of five steps before.
-    bool stands_still() const;
-
-    /// The steps of a circle that the last ones go in; zero if they do not.
+    /// The steps of a circle that the last ones go in, one where they stand
+    /// still; zero if they do not.
     unsigned int circle() const;
 
     /// The problem that the steps did not solve has become a simpler one.
     void move_on()
     {
-      n_still = 0;
-      all.clear();
+      steps.clear();
     }
 
     /// Forget the residuals: the next step starts a new problem, as one that
@@ -66,15 +61,18 @@ namespace Contact
     bool one_at_a_time(const unsigned int n_changes);
 
   private:
-    static constexpr unsigned int max_still = 5;  // steps
-    static constexpr unsigned int patience  = 10; // steps without progress
+    static constexpr unsigned int patience = 10; // steps without progress
 
-    std::vector<double> all; // residuals
-    double              last     = std::numeric_limits<double>::max();
-    double              best     = std::numeric_limits<double>::max();
-    unsigned int        n_still  = 0; // steps that changed nothing
-    unsigned int        fewest   = std::numeric_limits<unsigned int>::max();
-    unsigned int        n_wasted = 0;
+    struct Step
+    {
+      double       residual;
+      unsigned int n_changes;
+    };
+
+    std::vector<Step> steps;
+    double            best     = std::numeric_limits<double>::max();
+    unsigned int      fewest   = std::numeric_limits<unsigned int>::max();
+    unsigned int      n_wasted = 0;
   };
 } // namespace Contact
 

@@ -250,18 +250,15 @@ namespace Contact
       guard.advance(convergence.residual_norm(), n_status_changes);
     if (n_steps > 0)
       pairing.advance(state, last, progress);
-    if (pairing.has_been_frozen(guard.stands_still()))
+    if (pairing.has_been_frozen(guard.circle() == 1))
       guard.move_on();
     if (const unsigned int n = guard.circle();
         n > 0 && !convergence.has_converged())
-      throw NotConverged("Newton's method goes round in a circle of " +
-                         std::to_string(n) + " steps: the residual is " +
-                         brief(convergence.residual()) + changes());
-    if (guard.stands_still() && !convergence.has_converged())
-      throw NotConverged("Newton's method stands still: the residual is " +
-                         brief(convergence.residual()) +
-                         " for five steps, and no point changes its status" +
-                         unsettled());
+      throw NotConverged(
+        "Newton's method " +
+        (n == 1 ? "stands still"
+                : "goes round in a circle of " + std::to_string(n) + " steps") +
+        ": the residual is " + brief(convergence.residual()) + changes());
   }
 
 
