@@ -33,7 +33,7 @@ namespace Contact
   unsigned int NewtonGlobalization::circle() const
   {
     const unsigned int longest = 20;
-    const double       same    = 1e-2;
+    const double       same    = 0.02;
     for (unsigned int k = 1; k <= longest && k < steps.size(); ++k)
       {
         const unsigned int n_repeated =

@@ -22,7 +22,7 @@ namespace Contact
    * the method is lost.
    *
    * Circles: steps that repeat those of one to twenty steps before, in residual
-   * within a hundredth and in the number of points that want to change, go on
+   * within a fiftieth and in the number of points that want to change, go on
    * like that, but where the pairing has been frozen meanwhile. Where no point
    * changes five of them tell, otherwise ten, or twice the circle.
    *
