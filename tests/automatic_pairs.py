@@ -7,6 +7,8 @@ Proves that
   of all faces of each body, to 1e-9, on one and on two processes;
 - forces are those of pairs of the faces that touch, where no edge is in between;
 - the softer body is the slave, of two alike the one with the smaller faces;
+- a block that reaches over the rim of another, is dragged over it and lifted, has
+  the force of the pair of the two faces that touch, within a tenth of a per cent;
 - a pair that is named keeps its own entries, and bodies that share nodes have
   none;
 - what makes no sense is refused with the entry.
@@ -170,6 +172,38 @@ def space():
     same("  two processes", paired("tray_two", scene, AUTOMATIC, ranks=2), automatic, 1e-6)
 
 
+def over_a_rim():
+    mesh = Volumes()
+    for body, n, low, high in (("U", (3, 3, 2), (0.2, -0.6, 1), (2.2, 1.4, 2)),
+                               ("L", (5, 5, 2), (-1.5, -1.5, 0), (1.5, 1.5, 1))):
+        mesh.block(body, n, lambda *r, low=low, high=high: tuple(
+            a + s * (b - a) for s, a, b in zip(r, low, high)))
+    mesh.write("rim")
+    scene = {"Mesh/File": "rim.msh", "Solids/Young's modulus": "U: 1000, L: 1000",
+             "Solids/Poisson's ratio": "U: 0.3, L: 0.3",
+             BC + "Displacement x": "L_z0: 0, U_z1: 1",
+             BC + "Displacement y": "L_z0: 0, U_z1: 0.3",
+             BC + "Displacement z": "L_z0: 0, U_z1: 1",
+             BC + "Histories": "; ".join(
+                 [f"Displacement {c}: table(0 0, 0.25 0, 0.75 1, 1 1)" for c in "xy"] +
+                 ["Displacement z: table(0 0, 0.25 -0.1, 0.75 -0.1, 1 0.3)"]),
+             "Solution/Increments": 8, "Probes/Errors": "none",
+             "Probes/Probes": "; ".join(f"{c}: reaction {c}, L_z0" for c in "xyz")}
+    for mu in (0, 0.3):
+        automatic, by_hand = (paired(name, scene, pairs) for name, pairs in (
+            ("rim", {"": {"Surfaces": "automatic", "Friction coefficient": mu}}),
+            ("rim_faces", {"": {"Slave": "L_z1", "Master": "U_z0",
+                                "Friction coefficient": mu}})))
+        forces, others = ([i["probes"]["z"] for i in of["increments"]]
+                          for of in (automatic, by_hand))
+        check(f"  the faces that touch, friction {mu}", all(
+            abs(a - b) < 1e-3 * max(others) for a, b in zip(forces, others)),
+            f"{forces} {others}")
+        steps = [i["newton_iterations"] for i in automatic["increments"]]
+        check("  as many steps", max(steps) <= 15 and len(steps) == 8, steps)
+
+
 refusals(plane())
 space()
+over_a_rim()
 sys.exit(bool(failures))
