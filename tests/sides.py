@@ -519,7 +519,6 @@ def solved(what, scene, settings, entries, cut, most_steps=MOST_STEPS, **more):
 UNSOLVED = {("3-D", "corner of two walls", "In", "nodal", 0),
             ("3-D", "beside a wall", "In", "nodal", 0.3),
             ("3-D", "cap", "Out", "mortar", 0.3),
-            ("3-D", "lid", "In", "mortar", 0.3),
             ("3-D", "key", "LowIn", "mortar", 0)}
 
 

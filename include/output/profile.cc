@@ -113,7 +113,8 @@ namespace Contact
 
 
     /// The forces of contact points on the nodes of one of their surfaces,
-    /// positive if they push.
+    /// positive if they push. A point that is joined with one of another pair
+    /// pushes nodes of the other master, too: its own part is for the own one.
     template<int dim, typename Points>
     void add_nodal_forces(const ContactInterface<dim>  &interface,
                           const Points                 &points,
@@ -128,11 +129,25 @@ namespace Contact
       for (unsigned int n = 0; n < surface.nodes.size(); ++n)
         node_of_dof[surface.nodes[n].dofs[0]] = n;
       for (const ContactPoint<dim> &point : points)
-        for (unsigned int a = 0; a < point.n_nodes; ++a)
-          if (point.is_on_slave(a) == of_slave)
-            rows[node_of_dof.at(point.dofs(a)[0])].nodal_force +=
-              (a < point.n_slave_nodes ? 1 : -1) * point.C[a] *
-              normal_force(interface, point, solution);
+        {
+          std::map<unsigned int, double> part_of; // by node
+          double                         all = 0, here = 0;
+          for (unsigned int a = 0; a < point.n_nodes; ++a)
+            if (point.is_on_slave(a) == of_slave)
+              {
+                const double c =
+                  (a < point.n_slave_nodes ? 1 : -1) * point.C[a];
+                all += c;
+                const auto node = node_of_dof.find(point.dofs(a)[0]);
+                if (node == node_of_dof.end())
+                  continue;
+                here += c;
+                part_of[node->second] += c;
+              }
+          for (const auto &[node, part] : part_of)
+            rows[node].nodal_force +=
+              part * all / here * normal_force(interface, point, solution);
+        }
     }
 
 

@@ -39,18 +39,6 @@ namespace Contact
       else
         return q / q.norm();
     }
-
-
-
-    // On a deformable master in 3-D the tangents of points of one node are
-    // left to the elimination: the shear of a point that other normals hold may
-    // be what presses the node against them, and without it the active set
-    // finds no end.
-    template<int dim>
-    bool gives_tangents_up(const ContactPair<dim> &contact_pair)
-    {
-      return dim == 2 || !contact_pair.master;
-    }
   } // namespace
 
 
@@ -83,8 +71,7 @@ namespace Contact
   void ActiveSet<dim>::release_held()
   {
     for (const auto &[q, others] : frames.others())
-      if (gives_tangents_up(interface.contact_pair(points[q])) &&
-          is_held_by_others(q, [this](const unsigned int point) {
+      if (is_held_by_others(q, [this](const unsigned int point) {
             return points[point].status;
           }))
         points[q].status = {Status::slip, {}};
@@ -98,13 +85,12 @@ namespace Contact
   {
     if (dim == 3)
       for (const auto &[q, others] : frames.others())
-        if (gives_tangents_up(interface.contact_pair(points[q])))
-          points[q].tangents_held_by_points =
-            frames.tangents_held_by_points(points,
-                                           q,
-                                           [this](const unsigned int point) {
-                                             return points[point].status;
-                                           });
+        points[q].tangents_held_by_points =
+          frames.tangents_held_by_points(points,
+                                         q,
+                                         [this](const unsigned int point) {
+                                           return points[point].status;
+                                         });
   }
 
 
@@ -337,8 +323,7 @@ namespace Contact
     std::vector<PointStatus<dim>> updated =
       gathered(of_rank, interface.discretization.communicator);
     for (const auto &[q, others] : frames.others())
-      if (gives_tangents_up(interface.contact_pair(points[q])) &&
-          is_held_by_others(q, [&](const unsigned int point) {
+      if (is_held_by_others(q, [&](const unsigned int point) {
             return updated[point];
           }))
         updated[q] = {Status::slip, {}};

@@ -6,7 +6,6 @@
 // The part of ContactPair that pairs its points with the master.
 
 #include <algorithm>
-#include <optional>
 
 #include "contact/interface/contact_pair.h"
 #include "contact/mortar/face_mortar.h"
@@ -64,7 +63,7 @@ namespace Contact
     bool                   changed = mortar
                                        ? mortar->pair(of_discretization, u, of_mortar, bodies)
                                        : project(of_discretization, u, mode);
-    if (mortar || obstacle)
+    if (mortar)
       leave_to_other_sides(of_discretization, u);
     if (n_of_discretization < n_of_slave)
       changed =
@@ -93,20 +92,14 @@ namespace Contact
   {
     if (other_sides.empty())
       return;
-    const DeformedSurface<dim>          now(slave, u);
-    std::optional<DeformedSurface<dim>> master_now;
-    if (master)
-      master_now.emplace(*master, u);
-    const auto normal = [&](const ContactPoint<dim> &point) {
-      return master_now ? master_now->normal(
-                            point.master_facet,
-                            master->facets[point.master_facet].kind->middle)
-                        : point.normal;
-    };
+    const DeformedSurface<dim> now(slave, u), master_now(*master, u);
     for (ContactPoint<dim> &point : points)
       if (point.facing)
         if (const NormalCone<dim> here = directions(point, now, u);
-            !here.others.empty() && !here.faces(normal(point)))
+            !here.others.empty() &&
+            !here.faces(master_now.normal(
+              point.master_facet,
+              master->facets[point.master_facet].kind->middle)))
           {
             point.facing = false;
             point.change = PairingChange<dim>();
@@ -169,15 +162,24 @@ namespace Contact
                                  const GhostedVector                &u,
                                  const PairingMode                  &mode) const
   {
+    const DeformedSurface<dim> now(slave, u);
     if (obstacle)
       {
         for (ContactPoint<dim> &point : points)
-          pair_with_obstacle(point, *obstacle, discretization, u);
+          {
+            pair_with_obstacle(point, *obstacle, discretization, u);
+            NormalCone<dim> here = directions(point, now, u);
+            if (!here.others.empty())
+              {
+                here.others.clear();
+                point.facing = point.facing && here.faces(point.normal);
+              }
+          }
         discretization.counters.projections += points.size();
         return false;
       }
 
-    const DeformedSurface<dim> now(slave, u), master_now(*master, u);
+    const DeformedSurface<dim> master_now(*master, u);
     const BodyOverlap<dim>     bodies(surfaces_of_bodies,
                                   u,
                                   itself ? &*itself : nullptr);

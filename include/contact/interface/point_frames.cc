@@ -86,11 +86,10 @@ namespace Contact
                                 const Pairs                          &pairs)
     : pairs(&pairs)
   {
-    std::map<NodeDoFs<dim>, std::vector<unsigned int>> of_nodes;
     for (unsigned int q = 0; q < points.size(); ++q)
       if (points[q].n_multipliers == 1)
-        of_nodes[points[q].dofs(0)].push_back(q);
-    for (const auto &[dofs, of_node] : of_nodes)
+        at_node[points[q].dofs(0)].push_back(q);
+    for (const auto &[dofs, of_node] : at_node)
       if (of_node.size() > 1)
         {
           at_nodes.push_back(of_node);
@@ -102,6 +101,18 @@ namespace Contact
                   others_at_node[q].push_back(other);
             }
         }
+  }
+
+
+
+  // On a deformable master in 3-D the tangents of points of one node are left
+  // to the elimination: the shear of a point that other normals hold may be
+  // what presses the node against them, and without it the active set finds no
+  // end.
+  template<int dim>
+  bool PointFrames<dim>::gives_tangents_up(const ContactPoint<dim> &point) const
+  {
+    return dim == 2 || !(*pairs)[point.contact_pair]->master;
   }
 
 

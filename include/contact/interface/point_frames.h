@@ -116,15 +116,24 @@ namespace Contact
                       const ContactPoint<dim> &b) const;
     bool are_on_one_body(const ContactPoint<dim> &a,
                          const ContactPoint<dim> &b) const;
-    bool have_common_facets(const ContactPoint<dim> &a,
-                            const ContactPoint<dim> &b) const;
-    void join_to_first(const std::vector<unsigned int> &joined,
-                       std::vector<ContactPoint<dim>>  &points) const;
+    /// The status in which a node that the point @p a faces touches the body
+    /// that @p b faces: then three bodies meet there.
+    template<typename StatusOf>
+    Status third_of_ring(const std::vector<ContactPoint<dim>> &points,
+                         const unsigned int                    a,
+                         const unsigned int                    b,
+                         const StatusOf                       &status_of) const;
+    bool   gives_tangents_up(const ContactPoint<dim> &point) const;
+    bool   have_common_facets(const ContactPoint<dim> &a,
+                              const ContactPoint<dim> &b) const;
+    void   join_to_first(const std::vector<unsigned int> &joined,
+                         std::vector<ContactPoint<dim>>  &points) const;
 
-    const Pairs                                      *pairs = nullptr;
-    std::vector<std::vector<unsigned int>>            at_nodes;
-    std::map<unsigned int, std::vector<unsigned int>> others_at_node;
-    std::map<unsigned int, unsigned int>              point_of_multiplier;
+    const Pairs                                       *pairs = nullptr;
+    std::map<NodeDoFs<dim>, std::vector<unsigned int>> at_node; // of all
+    std::vector<std::vector<unsigned int>>             at_nodes;
+    std::map<unsigned int, std::vector<unsigned int>>  others_at_node;
+    std::map<unsigned int, unsigned int>               point_of_multiplier;
   };
 
 
@@ -159,14 +168,47 @@ namespace Contact
     const auto                  of_node = others_at_node.find(q);
     if (of_node == others_at_node.end())
       return held;
-    const ContactPoint<dim> &of = points[q];
+    const ContactPoint<dim> &of      = points[q];
+    const auto               hold_in = [&](const Tensor<1, dim> &direction) {
+      add_orthonormal(of.along_tangents(of.tangential_part(direction)), held);
+    };
     for (const unsigned int other : of_node->second)
-      if (status_of(other).kind != Status::open &&
-          have_one_row(of, points[other]))
-        add_orthonormal(of.along_tangents(
-                          of.tangential_part(points[other].normal)),
-                        held);
+      if (status_of(other).kind != Status::open)
+        {
+          const Status ring =
+            std::max(third_of_ring(points, q, other, status_of),
+                     third_of_ring(points, other, q, status_of));
+          if (ring != Status::open ||
+              (gives_tangents_up(of) && have_one_row(of, points[other])))
+            hold_in(points[other].normal);
+          if (ring == Status::stick && other < q &&
+              status_of(other).kind == Status::stick)
+            for (const Tensor<1, dim> &tangent : points[other].tangents)
+              hold_in(tangent);
+        }
     return held;
+  }
+
+
+
+  template<int dim>
+  template<typename StatusOf>
+  Status
+  PointFrames<dim>::third_of_ring(const std::vector<ContactPoint<dim>> &points,
+                                  const unsigned int                    a,
+                                  const unsigned int                    b,
+                                  const StatusOf &status_of) const
+  {
+    Status                   third = Status::open;
+    const ContactPoint<dim> &of_a  = points[a];
+    if (!are_on_one_body(of_a, points[b]))
+      for (unsigned int k = of_a.n_slave_nodes; k < of_a.n_nodes; ++k)
+        if (const auto there = at_node.find(of_a.dofs(k));
+            there != at_node.end())
+          for (const unsigned int q : there->second)
+            if (are_on_one_body(points[q], points[b]))
+              third = std::max(third, status_of(q).kind);
+    return third;
   }
 } // namespace Contact
 

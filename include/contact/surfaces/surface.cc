@@ -16,6 +16,7 @@
 
 #include "base/dimension.h"
 #include "base/errors.h"
+#include "contact/surfaces/deformed_surface.h"
 #include "contact/surfaces/loose_facets.h"
 
 namespace Contact
@@ -37,7 +38,10 @@ namespace Contact
                          "has " + Dimension<dim>::boundary + "s");
     arrange();
     if (cut == SurfaceCut::into_sides)
-      cut_into_sides();
+      {
+        find_hollow_sides();
+        cut_into_sides();
+      }
     find_parted();
   }
 
@@ -221,6 +225,44 @@ namespace Contact
     copy_nodes_of_sides();
     cut_links();
     collect_facets_of_nodes();
+  }
+
+
+
+  // What a slave does not face tells whether its own corner or that of the
+  // other body is there: in a hollow it is the other one.
+  template<int dim>
+  void Surface<dim>::find_hollow_sides()
+  {
+    const double flat = 1e-3; // but for the digits of a mesh file
+    std::map<unsigned int, std::vector<unsigned int>> of_parts;
+    for (unsigned int e = 0; e < facets.size(); ++e)
+      of_parts[facets[e].part].push_back(e);
+    for (const auto &[part, of_part] : of_parts)
+      {
+        const Surface<dim>                     whole(discretization, part);
+        const DeformedSurface<dim>             drawn(whole, {});
+        std::map<FacetName<dim>, unsigned int> number;
+        for (unsigned int e = 0; e < whole.facets.size(); ++e)
+          number[whole.facets[e].name] = e;
+        for (const unsigned int e : of_part)
+          for (unsigned int s = 0; s < facets[e].n_sides(); ++s)
+            {
+              const unsigned int       own  = number.at(facets[e].name);
+              const SurfaceFacet<dim> &here = whole.facets[own];
+              if (here.ends_surface(s))
+                continue;
+              unsigned int a = 0;
+              while (!here.kind->has_on_side(a, s))
+                ++a;
+              const Tensor<1, dim> way =
+                whole.facets[here.neighbors[s]].middle -
+                drawn.position(own, here.kind->places[a]);
+              facets[e].is_hollow[s] =
+                drawn.normal(own, here.kind->places[a]) * way >
+                flat * way.norm();
+            }
+      }
   }
 
 

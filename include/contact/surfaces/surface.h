@@ -127,6 +127,9 @@ namespace Contact
     /// nothing faces it.
     PerSide<bool> ends_side;
 
+    /// Of a slave, whether the body goes on in front of it, in whatever group.
+    PerSide<bool> is_hollow{};
+
     /// In 2-D, feature nodes: corners, and kinks from half of
     /// Surface::feature_angle on that stand alone. Those of a curve that the
     /// mesh has drawn as a polygon do not.
@@ -325,6 +328,7 @@ namespace Contact
     void cut_into_sides();
     void copy_nodes_of_sides();
     void cut_links();
+    void find_hollow_sides();
 
     /// The facets around a node of a facet that are on the same side.
     std::vector<unsigned int> same_side(const unsigned int facet,

@@ -187,10 +187,11 @@ namespace Contact
               angle(tangent_of(chain, edge, -1), tangent_of(chain, edge, 1)));
         }
 
-      // The body ends there, or it goes on with a side that is in no group.
+      // The body ends there, or it goes on with a side that is in no group. In
+      // a hollow each side pushes along its own normal.
       for (const SurfaceFacet<2> &edge : chain.facets)
         for (unsigned int a = 0; a < 2; ++a)
-          if (edge.ends_surface(a))
+          if (edge.ends_surface(a) && !edge.is_hollow[a])
             chain.turning_angles[edge.nodes[a]] = numbers::PI / 2;
     }
   } // namespace

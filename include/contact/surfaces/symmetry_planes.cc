@@ -118,11 +118,13 @@ namespace Contact
       return bends;
 
     // The body ends there, or it goes on with another side: by a right angle,
-    // half of it from either side to the mean.
+    // half of it from either side to the mean. In a hollow each side pushes
+    // along its own normal.
     const double half_of_right_angle = 2 * std::sin(numbers::PI / 8);
     for (const SurfaceFacet<3> &facet : surface.facets)
       for (unsigned int s = 0; s < facet.n_sides(); ++s)
-        if (facet.ends_surface(s) && !is_in_plane(surface, facet, s))
+        if (facet.ends_surface(s) && !facet.is_hollow[s] &&
+            !is_in_plane(surface, facet, s))
           for (unsigned int a = 0; a < facet.n_nodes(); ++a)
             if (facet.kind->has_on_side(a, s))
               bends[facet.nodes[a]] =

@@ -194,7 +194,7 @@ namespace Contact
 
 
 
-  // They stick up to the sum of their bounds, and slip together.
+  // On obstacles they stick up to the sum of their bounds, and slip together.
   template<int dim>
   void
   MultiplierRecovery<dim>::share_along_edges(std::vector<Pair> &tractions) const
@@ -204,6 +204,7 @@ namespace Contact
         std::map<NodeDoFs<dim>, std::vector<unsigned int>> at_edges;
         for (unsigned int k = 0; k < points.size(); ++k)
           if (points[k].status.kind == Status::stick &&
+              !interface.contact_pair(points[k]).master &&
               points[k].tangents_held_by_points.size() == 1)
             at_edges[points[k].dofs(0)].push_back(k);
         for (const auto &[node, of_node] : at_edges)
