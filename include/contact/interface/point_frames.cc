@@ -105,10 +105,9 @@ namespace Contact
 
 
 
-  // On a deformable master in 3-D the tangents of points of one node are left
-  // to the elimination: the shear of a point that other normals hold may be
-  // what presses the node against them, and without it the active set finds no
-  // end.
+  // On a deformable master in 3-D the elimination decides: the shear of a point
+  // that other normals hold may be what presses the node against them, and
+  // without it the active set finds no end.
   template<int dim>
   bool PointFrames<dim>::gives_tangents_up(const ContactPoint<dim> &point) const
   {
