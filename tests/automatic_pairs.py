@@ -9,6 +9,8 @@ Proves that
 - the softer body is the slave, of two alike the one with the smaller faces;
 - a block that reaches over the rim of another, is dragged over it and lifted, has
   the force of the pair of the two faces that touch, within a tenth of a per cent;
+- two blocks on a floor and against each other, with friction, have the forces of
+  the pairs of faces that touch, within a thousandth, and as few steps;
 - a pair that is named keeps its own entries, and bodies that share nodes have
   none;
 - what makes no sense is refused with the entry.
@@ -203,7 +205,45 @@ def over_a_rim():
         check("  as many steps", max(steps) <= 15 and len(steps) == 8, steps)
 
 
+def three_in_an_edge():
+    """Where all of three bodies touch, what sticks and slips on two of them is not
+    free on the third one."""
+    mesh = Volumes()
+    for body, n, low, high in (("A", (4, 3, 1), (-3, -0.5, -1), (3, 2.5, 0)),
+                               ("B", (3, 3, 3), (-2, 0, 0), (0, 2, 2)),
+                               ("C", (4, 4, 3), (0, 0, 0), (2, 2, 2))):
+        mesh.block(body, n, lambda *r, low=low, high=high: tuple(
+            a + s * (b - a) for s, a, b in zip(r, low, high)))
+    mesh.write("edge")
+    for degree, mu in ((1, 0.3), (1, 1), (2, 0.3)):
+        scene = {"Mesh/File": "edge.msh", "Element/Degree": degree,
+                 "Solids/Young's modulus": "A: 2000, B: 1000, C: 1500",
+                 "Solids/Poisson's ratio": "A: 0.3, B: 0.3, C: 0.3",
+                 BC + "Displacement x": "A_z0: 0, B_x0: 0.02, C_x1: -0.03",
+                 BC + "Displacement y": "A_z0: 0, B_x0: 0, C_x1: 0",
+                 BC + "Displacement z": "A_z0: 0, B_z1: -0.03, C_z1: -0.04",
+                 "Solution/Increments": 2, "Probes/Errors": "none",
+                 "Probes/Probes": "; ".join(
+                     f"{b}{c}: reaction {c}, {b}_{side}" for b, c, side in (
+                         ("B", "x", "x0"), ("B", "z", "z1"), ("C", "x", "x1"),
+                         ("C", "z", "z1")))}
+        friction = {"Friction coefficient": mu}
+        all_of = [paired(name, scene, pairs) for name, pairs in (
+            ("edge", {"": {"Surfaces": "automatic", **friction}}),
+            ("edge_faces", {pair: {"Slave": slave, "Master": master, **friction}
+                            for pair, slave, master in (
+                                ("b a", "B_z0", "A_z1"), ("c a", "C_z0", "A_z1"),
+                                ("b c", "B_x1", "C_x0"))}))]
+        forces, others = ([p["value"] for p in of["probes"]] for of in all_of)
+        check(f"  degree {degree}, friction {mu}: the faces that touch", all(
+            abs(a - b) < 1e-3 * max(map(abs, others)) for a, b in zip(forces, others)),
+            f"{forces} {others}")
+        steps = [[i["newton_iterations"] for i in of["increments"]] for of in all_of]
+        check("  few steps", all(len(n) == 2 and max(n) <= 8 for n in steps), steps)
+
+
 refusals(plane())
 space()
+three_in_an_edge()
 over_a_rim()
 sys.exit(bool(failures))

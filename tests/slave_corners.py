@@ -20,7 +20,9 @@ Proves that
 - the force of a corner of the master on a slave edge of degree 2 is pressure at its
   nodes, without tension and without shear;
 - of a polygon that turns in a polygonal hole, whose convex corners alone carry the
-  load, one contact group around it has the forces of a pair for each side.
+  load, one contact group around it has the forces of a pair for each side;
+- a block that is pushed against the foot of a ramp runs up it, with the force of a
+  rigid block, whether the ground is one slave or two.
 
 Usage: slave_corners.py CONTACT PARAMETERS MESHES
 """
@@ -411,8 +413,53 @@ def turned_in_a_hole():
               f"{of_one} {of_all}")
 
 
+def up_a_ramp():
+    """Weight W, and no rotation: the force is W tan(slope + angle of friction)."""
+    weight, mu, way, to_foot = 20., 0.15, 0.8, 0.5
+    for slope in (30, 55):
+        rise = math.tan(math.radians(slope))
+        mesh = Mesh()
+        mesh.block("Ground", 6, 2, box(-6, -2, 0, 0), {"bottom": "Base", "top": "Floor"})
+        mesh.block("Ground", 4, 2, lambda s, t, rise=rise: (
+            4 * s, (1 - t) * -2 + t * 4 * s * rise), {"bottom": "Base", "top": "Ramp"})
+        mesh.merge()
+        mesh.block("Block", 4, 4, box(-3 - to_foot, 0, -to_foot, 3), {
+            "bottom": "Sides", "right": "Sides", "top": "Head"})
+        mesh.write("ramp")
+        expected = weight * math.tan(math.radians(slope) + math.atan(mu))
+        scene = {"Mesh/File": "ramp.msh", "Mesh/Points": "P: -2, 3",
+                 "Mesh/Groups": "Up: Floor, Ramp",
+                 "Solids/Young's modulus": "Ground: 50000, Block: 50000",
+                 "Solids/Poisson's ratio": "Ground: 0.3, Block: 0.3",
+                 "Solids/Kinematics": "large displacement",
+                 "Boundary conditions/Rigid": "Head: P",
+                 "Boundary conditions/Rotation z": "Head: 0",
+                 "Boundary conditions/Displacement x": f"Base: 0, Head: {way}",
+                 "Boundary conditions/Displacement y": "Base: 0",
+                 "Boundary conditions/Force y": f"Head: {-weight}",
+                 "Boundary conditions/Histories":
+                     "Displacement x: max(0, (t - 0.1)/0.9); Force y: min(1, 10*t)",
+                 "Solution/Increments": 12, "Probes/Errors": "none",
+                 "Probes/Probes": "push: reaction x, Head; up: displacement y, P"}
+        friction = {"Friction coefficient": mu}
+        for what, pairs in (
+                ("one slave", {"Contact": {"Slave": "Up", "Master": "Sides"}}),
+                ("two slaves", {"Contact a": {"Slave": "Floor", "Master": "Sides"},
+                                "Contact b": {"Slave": "Ramp", "Master": "Sides"}})):
+            status, said, summary = run("ramp", {**scene, **{
+                f"{pair}/{key}": entry for pair, entries in pairs.items()
+                for key, entry in {**entries, **friction}.items()}})
+            push, up = (value(summary, name) if status == 0 else math.nan
+                        for name in ("push", "up"))
+            check(f"up a ramp of {slope} degrees, {what}",
+                  abs(push / expected - 1) < 0.01 and
+                  abs(up / ((way - to_foot) * rise) - 1) < 0.05,
+                  f"{push} {expected} {up} {(way - to_foot) * rise} {said[-200:]}")
+
+
 for scene in (sole, sole_in_space, not_refined,
               in_a_plane_of_symmetry, on_its_corner, tilted, sunk,
-              by_a_corner, short_master, on_one_node, turned_in_a_hole):
+              by_a_corner, short_master, on_one_node, turned_in_a_hole,
+              up_a_ramp):
     scene()
 sys.exit(len(failures) > 0)

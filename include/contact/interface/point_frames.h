@@ -45,6 +45,9 @@ namespace Contact
    *    the node in all directions: another one is not in contact unless it is
    *    moved into the other body. Where rows differ, each point has its own
    *    slip.
+   * 5. Where the bodies that two points face touch each other there as well,
+   *    the slip of one follows from the other two: normals come before tangents
+   *    as in 4, and if all three stick the later point has no shear.
    * tangents_held_by_points() follows the active set.
    */
   template<int dim>

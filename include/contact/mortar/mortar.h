@@ -42,7 +42,8 @@ namespace Contact
    * With n_s, n_m the normals of slave and master, those of the master weighted
    * by Phi_k, and b_s, b_m the angles by which the surfaces turn around the
    * node,
-   *   n_k = b_m^2 n_s + b_s^2 n_m, normalized; n_s where the slave is flat.
+   *   n_k = b_m^2 n_s + b_s^2 n_m, normalized; n_s where the slave is flat, or
+   * ends in a hollow of its body: what is there is a corner of the master.
    * The b are those of the undeformed surfaces: the strains of flat ones must
    * not decide. On smooth surfaces that touch, n_s and n_m are the same up to
    * the error of the discretization.
