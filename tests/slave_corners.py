@@ -22,11 +22,16 @@ Proves that
 - of a polygon that turns in a polygonal hole, whose convex corners alone carry the
   load, one contact group around it has the forces of a pair for each side;
 - a block that is pushed against the foot of a ramp runs up it, with the force of a
-  rigid block, whether the ground is one slave or two.
+  rigid block, whether the ground is one slave or two;
+- with friction on all sides of its edges and corners, on one body or on obstacles, a
+  cube in a corner of three walls goes where forces push it, in few steps and the same
+  way with the walls as the slave; and along an edge of two walls it is dragged by
+  the coefficient of friction times what it presses them with.
 
 Usage: slave_corners.py CONTACT PARAMETERS MESHES
 """
 
+import itertools
 import math
 import sys
 
@@ -457,9 +462,82 @@ def up_a_ramp():
                   f"{push} {expected} {up} {(way - to_foot) * rise} {said[-200:]}")
 
 
+def room(walls):
+    """A cube, with forces and without rotation on its head, in walls that meet."""
+    mesh = Volumes()
+    for low in itertools.product(*((-1, 0) if d in walls else (0,) for d in range(3))):
+        if min(low) < 0:
+            ends = [(a, 0 if a < 0 else 3) for a in low]
+            mesh.block(
+                "Walls", [1 if a < 0 else 3 for a in low],
+                lambda *r, ends=ends: [a + s * (b - a) for s, (a, b) in zip(r, ends)],
+                {"xyz"[d] + "1": "in" for d in range(3) if sum(low) == low[d] == -1} |
+                {"xyz"[d] + "0": "base" for d in range(3) if low[d] == -1}, {})
+    mesh.block("Cube", (2, 2, 2), lambda *r: [2 * s for s in r],
+               {"xyz"[d] + "0": "out" for d in walls}, {})
+    mesh.block("Cube", (2, 2, 1), lambda r, s, t: (  # it leans away from the walls
+        2 * r + (1 - r) * t, 2 * s + (1 - s) * t, 2 + t), {"z1": "head"}, {"111": "P"})
+    mesh.write("room")
+    held = {f"Boundary conditions/Displacement {c}": "Walls_base: 0" for c in "xyz"}
+    return {"Mesh/File": "room.msh",
+            "Solids/Young's modulus": "Walls: 200000, Cube: 200000",
+            "Solids/Poisson's ratio": "Walls: 0.3, Cube: 0.3", **held,
+            "Boundary conditions/Rigid": "Cube_head: Cube_P",
+            **{f"Boundary conditions/Rotation {c}": "Cube_head: 0" for c in "xyz"},
+            "Solution/Increments": 2, "Probes/Errors": "none"}
+
+
+CUBE_SLAVE = {"Contact/Slave": "Cube_out", "Contact/Master": "Walls_in"}
+WALLS_SLAVE = {"Contact/Slave": "Walls_in", "Contact/Master": "Cube_out"}
+
+
+def pushed_into_a_corner():
+    scene = room((0, 1, 2))
+    for mu in (0.05, 0.2, 0.5):
+        ways = []
+        for what, contact in (("cube", CUBE_SLAVE), ("walls", WALLS_SLAVE)):
+            status, said, summary = run("room", {
+                **scene, **contact, "Contact/Friction coefficient": mu,
+                **{f"Boundary conditions/Force {c}": f"Cube_head: {f}"
+                   for c, f in zip("xyz", (-30, -20, -40))},
+                "Probes/Probes": "; ".join(
+                    f"u{c}: displacement {c}, Cube_P" for c in "xyz")})
+            steps = [i["newton_iterations"] for i in summary.get("increments", [])]
+            check(f"into a corner, friction {mu}, slave {what}: {steps} steps",
+                  status == 0 and max(steps) <= 12, said[-300:])
+            if status == 0:
+                ways.append([value(summary, f"u{c}") for c in "xyz"])
+        check("  the same way", len(ways) == 2 and all(
+            abs(a / b - 1) < 1e-4 for a, b in zip(*ways)), ways)
+
+
+def dragged_along_an_edge():
+    scene = room((0, 2))
+    for degree, rule, contact in (
+            (1, "mortar", CUBE_SLAVE), (1, "mortar", WALLS_SLAVE),
+            (2, "mortar", CUBE_SLAVE), (1, "nodal", CUBE_SLAVE)):
+        for mu in (0.2, 0.6):
+            status, said, summary = run("room", {
+                **scene, **contact, "Contact/Friction coefficient": mu,
+                "Contact/Discretization": rule, "Element/Degree": degree,
+                "Solution/Increments": "0.5, 0.75, 1",
+                "Boundary conditions/Displacement y": "Walls_base: 0, Cube_head: 0.2",
+                "Boundary conditions/Force x": "Cube_head: -30",
+                "Boundary conditions/Force z": "Cube_head: -40",
+                "Boundary conditions/Histories":
+                    "Force x: min(1, 2*t); Force z: min(1, 2*t); "
+                    "Displacement y: max(0, 2*t - 1)",
+                "Probes/Probes": "drag: reaction y, Cube_head"})
+            steps = [i["newton_iterations"] for i in summary.get("increments", [])]
+            drag = value(summary, "drag") if status == 0 else math.nan
+            check(f"along an edge, degree {degree}, {rule}, friction {mu}: {steps} steps",
+                  abs(drag / (mu * 70) - 1) < 5e-4 and max(steps) <= 15,
+                  f"{drag} {mu * 70} {said[-300:]}")
+
+
 for scene in (sole, sole_in_space, not_refined,
               in_a_plane_of_symmetry, on_its_corner, tilted, sunk,
               by_a_corner, short_master, on_one_node, turned_in_a_hole,
-              up_a_ramp):
+              up_a_ramp, pushed_into_a_corner, dragged_along_an_edge):
     scene()
 sys.exit(len(failures) > 0)

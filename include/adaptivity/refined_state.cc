@@ -85,6 +85,7 @@ namespace Contact
     model.interface->pair(linearization.moving_geometry ? state.solution
                                                         : model.zero(),
                           mode);
+    model.interface->find_edges(state.start);
     model.interface->active_set.set_support_motion(
       model.discretization->support_motion(state.start, state.load_factor));
     for (unsigned int k = 0; k < duals.size(); ++k)
@@ -93,7 +94,7 @@ namespace Contact
                      *model.interface,
                      state.solution);
     if (state.start_factor > 0)
-      model.interface->set_elastic_start(state.solution, state.start);
+      model.interface->set_shear_at_start(state.solution, state.start);
     update_statuses();
     for (const ContactPoint<2> &point : model.interface->points())
       if (point.status.kind == Status::open)

@@ -93,7 +93,7 @@ namespace Contact
         else
           transfer_surfaces(*scene.interface, from.solution);
         if (state.start_factor > 0)
-          model.interface->set_elastic_start(state.solution, state.start);
+          model.interface->set_shear_at_start(state.solution, state.start);
         model.interface->active_set.update(state.solution,
                                            state.start,
                                            /*keep=*/true);
@@ -111,6 +111,7 @@ namespace Contact
                                                 state.start);
     model.interface->motions.move(state.start_factor, state.load_factor);
     pair();
+    model.interface->find_edges(state.start);
     model.interface->active_set.set_support_motion(
       model.discretization->support_motion(state.start, state.load_factor));
   }

@@ -51,46 +51,6 @@ namespace Contact
         if (point.facing && interface.state(point, u, u).gap <=
                               0.01 * contact_pair->edge_length(point))
           point.status.kind = can_stick(point) ? Status::stick : Status::slip;
-    release_held();
-  }
-
-
-
-  template<int dim>
-  double
-  ActiveSet<dim>::pressure_of_digits(const ContactPoint<dim> &point) const
-  {
-    const Surface<dim> &own = interface.contact_pair(point).surface_of(point);
-    return point.augmentation_parameter *
-           own.unresolved_length(point.slave_facet);
-  }
-
-
-
-  template<int dim>
-  void ActiveSet<dim>::release_held()
-  {
-    for (const auto &[q, others] : frames.others())
-      if (is_held_by_others(q, [this](const unsigned int point) {
-            return points[point].status;
-          }))
-        points[q].status = {Status::slip, {}};
-    find_constrained_tangents();
-  }
-
-
-
-  template<int dim>
-  void ActiveSet<dim>::find_constrained_tangents()
-  {
-    if (dim == 3)
-      for (const auto &[q, others] : frames.others())
-        points[q].tangents_held_by_points =
-          frames.tangents_held_by_points(points,
-                                         q,
-                                         [this](const unsigned int point) {
-                                           return points[point].status;
-                                         });
   }
 
 
@@ -133,7 +93,6 @@ namespace Contact
     if (!is_active)
       for (const ContactPair<dim> *const contact_pair : of)
         close(contact_pair->corners_of_master(points));
-    release_held();
   }
 
 
@@ -284,30 +243,16 @@ namespace Contact
                                              const GhostedVector     &solution,
                                              const GhostedVector &u_start) const
   {
-    const auto own_status = [&](const ContactPoint<dim> &of,
-                                const ContactState<dim> &now) {
-      const bool is_pressed =
-        multipliers_are_forces && of.status.kind != Status::open &&
-        interface.contact_pair(of).has_point_per_multiplier() &&
-        now.lambda_n > of.augmentation_parameter * of.gap_round_off();
-      return updated_status(of,
-                            interface.bounds.follow ? of.status
-                                                    : PointStatus<dim>(),
-                            is_pressed ? now.lambda_n : now.p_trial,
-                            now.q_trial);
-    };
-    const auto status_of_other = [&](const unsigned int q) {
-      return own_status(points[q],
-                        interface.state(points[q], solution, u_start));
-    };
-    const ContactState<dim> now    = interface.state(point, solution, u_start);
-    const PointStatus<dim>  status = own_status(point, now);
-    if (status.kind != Status::open &&
-        is_closed_by_noise(&point - points.data(),
-                           now.p_trial,
-                           status_of_other))
-      return {Status::open, {}};
-    return status;
+    const ContactState<dim> now = interface.state(point, solution, u_start);
+    const bool              is_pressed =
+      multipliers_are_forces && point.status.kind != Status::open &&
+      interface.contact_pair(point).has_point_per_multiplier() &&
+      now.lambda_n > point.augmentation_parameter * point.gap_round_off();
+    return updated_status(point,
+                          interface.bounds.follow ? point.status
+                                                  : PointStatus<dim>(),
+                          is_pressed ? now.lambda_n : now.p_trial,
+                          now.q_trial);
   }
 
 
@@ -320,13 +265,8 @@ namespace Contact
     std::vector<PointStatus<dim>> of_rank;
     for (const auto q : interface.own_points())
       of_rank.push_back(status_in(points[q], solution, u_start));
-    std::vector<PointStatus<dim>> updated =
+    const std::vector<PointStatus<dim>> updated =
       gathered(of_rank, interface.discretization.communicator);
-    for (const auto &[q, others] : frames.others())
-      if (is_held_by_others(q, [&](const unsigned int point) {
-            return updated[point];
-          }))
-        updated[q] = {Status::slip, {}};
 
     unsigned int n_changes = 0;
     for (unsigned int q = 0; q < points.size(); ++q)
@@ -347,7 +287,6 @@ namespace Contact
         ContactPoint<dim>     &point  = points[q];
         const PointStatus<dim> before = point.status;
         point.status                  = status_in(point, solution, u_start);
-        release_held();
         if (point.status == before)
           continue;
         if (!interface.bounds.follow && point.status.kind == Status::open)
@@ -365,7 +304,6 @@ namespace Contact
       if (!interface.contact_pair(point).tied &&
           interface.state(point, solution, solution).p_trial <= 0)
         point.status = PointStatus<dim>();
-    find_constrained_tangents();
   }
 
 
@@ -386,7 +324,6 @@ namespace Contact
   {
     for (unsigned int q = 0; q < points.size(); ++q)
       points[q].status = all[q];
-    find_constrained_tangents();
   }
 
 

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "contact/interface/point_frames.h"
+#include "contact/interface/contact_pair.h"
 
 namespace Contact
 {
@@ -63,11 +63,9 @@ namespace Contact
   {
   public:
     ActiveSet(ContactInterface<dim>          &interface,
-              std::vector<ContactPoint<dim>> &points,
-              const PointFrames<dim>         &frames)
+              std::vector<ContactPoint<dim>> &points)
       : interface(interface)
       , points(points)
-      , frames(frames)
     {
     }
 
@@ -124,23 +122,6 @@ namespace Contact
     /// move it along a tangent, a point in contact slips.
     bool can_stick(const ContactPoint<dim> &point) const;
 
-    /// Whether the normals of other points in contact hold the node of a point
-    /// in contact already in all directions, see PointFrames: its tangential
-    /// conditions are redundant. @p status_of gives the status of a point by
-    /// its number.
-    template<typename StatusOf>
-    bool is_held_by_others(const unsigned int point,
-                           const StatusOf    &status_of) const;
-
-    /// Whether a point would be closed by noise alone: under the pressure @p
-    /// p_trial it penetrates by no more than a mesh file resolves, and another
-    /// point of its node sticks, if it is free to, by its own trial values:
-    /// @p own_status_of. It holds the node along all normals.
-    template<typename StatusOf>
-    bool is_closed_by_noise(const unsigned int point,
-                            const double       p_trial,
-                            const StatusOf    &own_status_of) const;
-
     /// The status of a point under trial values, after the one @p before. None
     /// follows from round-off: an open point closes under more than the
     /// pressure of that of its gap, a slipping one sticks where its shear is
@@ -172,10 +153,6 @@ namespace Contact
       return traction(point, point.status, state.p_trial, state.q_trial);
     }
 
-    /// The statuses or normals are others: in 3-D, the directions in which
-    /// points of one node hold each other.
-    void find_constrained_tangents();
-
   private:
     /// The direction of slip of a point that cannot stick.
     typename PointStatus<dim>::Direction
@@ -185,44 +162,13 @@ namespace Contact
     /// The slip [mm] with friction that supports prescribe in this increment.
     Tensor<1, dim - 1> slip_of_supports(const ContactPoint<dim> &point) const;
 
-    /// The pressure of a penetration that a mesh file does not resolve [MPa].
-    double pressure_of_digits(const ContactPoint<dim> &point) const;
-
-    /// Points that stick and are held by others slip in no direction.
-    void release_held();
-
     void activate_nearest(const std::vector<const ContactPair<dim> *> &of,
                           const GhostedVector                         &u);
 
     ContactInterface<dim>          &interface;
     std::vector<ContactPoint<dim>> &points;
-    const PointFrames<dim>         &frames;
     GhostedVector                   support_motion; // of this increment
   };
-
-
-
-  template<int dim>
-  template<typename StatusOf>
-  bool ActiveSet<dim>::is_closed_by_noise(const unsigned int point,
-                                          const double       p_trial,
-                                          const StatusOf &own_status_of) const
-  {
-    return p_trial <= pressure_of_digits(points[point]) &&
-           frames.sticks_at_node(points, point, own_status_of);
-  }
-
-
-
-  template<int dim>
-  template<typename StatusOf>
-  bool ActiveSet<dim>::is_held_by_others(const unsigned int point,
-                                         const StatusOf    &status_of) const
-  {
-    return status_of(point).kind != Status::open &&
-           frames.tangents_held_by_points(points, point, status_of).size() ==
-             dim - 1;
-  }
 } // namespace Contact
 
 #endif

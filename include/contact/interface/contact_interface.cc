@@ -66,7 +66,7 @@ namespace Contact
     : discretization(discretization)
     , motions(*this)
     , bounds(*this, all_points)
-    , active_set(*this, all_points, frames)
+    , active_set(*this, all_points)
   {
     std::vector<ContactPair<dim> *> made;
     for (const Parameters::Contact &of_pair : parameters)
@@ -152,7 +152,6 @@ namespace Contact
         contact_pair->pair(contact_pair->points_among(all_points), u, mode) ||
         changed;
     changed = frames.join(all_points, u) != joined || changed;
-    active_set.find_constrained_tangents();
     return changed;
   }
 
@@ -163,11 +162,11 @@ namespace Contact
   void ContactInterface<dim>::begin_increment(const double         from,
                                               const GhostedVector &solution)
   {
-    set_elastic_start(solution, solution);
+    find_edges(solution);
+    set_shear_at_start(solution, solution);
     for (ContactPoint<dim> &point : all_points)
       {
         const auto &interference    = *contact_pair(point).interference;
-        point.shear_at_start        = state(point, solution, solution).lambda_t;
         point.interference_at_start = Tensor<1, dim>();
         if (interference.at)
           point.interference_at_start =
@@ -178,22 +177,42 @@ namespace Contact
 
 
   template<int dim>
-  void ContactInterface<dim>::set_elastic_start(const GhostedVector &solution,
-                                                const GhostedVector &u_start)
+  void ContactInterface<dim>::find_edges(const GhostedVector &u_start)
+  {
+    const double      near = 0.1; // of an edge of the slave
+    std::vector<bool> touches;
+    for (const ContactPoint<dim> &point : all_points)
+      touches.push_back(point.facing && !contact_pair(point).tied &&
+                        state(point, u_start, u_start).gap <=
+                          near * contact_pair(point).edge_length(point));
+    frames.find_edges(all_points, touches);
+  }
+
+
+
+  template<int dim>
+  void ContactInterface<dim>::set_shear_at_start(const GhostedVector &solution,
+                                                 const GhostedVector &u_start)
   {
     for (ContactPoint<dim> &point : all_points)
-      if (point.elastic_slip > 0)
-        {
-          const auto   now     = state(point, solution, u_start);
-          const double shear   = now.lambda_t.norm();
-          point.share_at_start = Tensor<1, dim - 1>();
-          if (shear > 0)
-            point.share_at_start =
-              now.lambda_t /
-              std::max(shear, contact_pair(point).law.bound(now.lambda_n));
-          if (&u_start != &solution)
-            point.share_at_start += now.slip / point.elastic_slip;
-        }
+      {
+        point.shear_at_start = Tensor<1, dim - 1>();
+        const auto now       = state(point, solution, u_start);
+        // The slip has lambda/c along the springs.
+        point.shear_at_start =
+          point.augmentation_parameter * point.stick_compliance() * now.slip;
+        if (point.elastic_slip > 0)
+          {
+            const double shear   = now.lambda_t.norm();
+            point.share_at_start = Tensor<1, dim - 1>();
+            if (shear > 0)
+              point.share_at_start =
+                now.lambda_t /
+                std::max(shear, contact_pair(point).law.bound(now.lambda_n));
+            if (&u_start != &solution)
+              point.share_at_start += now.slip / point.elastic_slip;
+          }
+      }
   }
 
 
@@ -277,9 +296,7 @@ namespace Contact
     return {bound,
             bound / point.elastic_slip,
             bound > of_unit ? of_unit / bound : 1.,
-            point.without(point.tangents_held_by_points,
-                          point.share_at_start -
-                            now.slip / point.elastic_slip)};
+            point.share_at_start - now.slip / point.elastic_slip};
   }
 
 
@@ -317,9 +334,8 @@ namespace Contact
     if (const double overlap = contact_pair(point).interference->added())
       for (unsigned int a = 0; a < point.n_slave_nodes; ++a)
         state.gap -= overlap * point.C[a];
-    state.slip = point.without(point.tangents_held_by_points,
-                               point.without(point.tangents_held_by_supports,
-                                             point.tangential_part(dr)));
+    state.slip =
+      point.without(point.tangents_held_by_supports, point.tangential_part(dr));
     // Without multipliers in the vector the question is for the gap alone.
     if (solution.size() > discretization.dof_handler.n_dofs())
       for (unsigned int k = 0; k < point.n_multipliers; ++k)
@@ -341,19 +357,15 @@ namespace Contact
     if (state.is_elastic)
       {
         const ElasticShear elastic = elastic_shear(point, state);
-        state.q_trial =
-          point.without(point.tangents_held_by_points,
-                        (1 - elastic.kappa) * state.lambda_t +
-                          elastic.kappa * elastic.bound * elastic.zeta);
+        state.q_trial              = (1 - elastic.kappa) * state.lambda_t +
+                        elastic.kappa * elastic.bound * elastic.zeta;
         return state;
       }
-    if (point.stick_compliance.norm() > 0)
-      state.slip += point.stick_compliance *
-                    (state.lambda_t - point.shear_at_start) /
+    if (const Tensor<2, dim - 1> compliance = point.stick_compliance();
+        compliance.norm() > 0)
+      state.slip += compliance * (state.lambda_t - point.shear_at_start) /
                     point.augmentation_parameter;
-    state.q_trial =
-      point.without(point.tangents_held_by_points,
-                    state.lambda_t - point.augmentation_parameter * state.slip);
+    state.q_trial = state.lambda_t - point.augmentation_parameter * state.slip;
     return state;
   }
 
@@ -362,7 +374,8 @@ namespace Contact
   template<int dim>
   double ContactInterface<dim>::constraint_norm(const GhostedVector &rhs) const
   {
-    // Every multiplier has a point of its own surroundings: the last one wins.
+    // Every multiplier has a point of its own surroundings: the last one
+    // wins.
     std::vector<double> stiffness(n_normal_multipliers(), 0.);
     for (const ContactPoint<dim> &point : all_points)
       for (unsigned int k = 0; k < point.n_multipliers; ++k)

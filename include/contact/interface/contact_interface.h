@@ -18,6 +18,7 @@
 #include "contact/interface/active_set.h"
 #include "contact/interface/friction_bounds.h"
 #include "contact/interface/obstacle_motions.h"
+#include "contact/interface/point_frames.h"
 
 namespace Contact
 {
@@ -180,10 +181,14 @@ namespace Contact
     void pair_and_begin_increment(const double         from,
                                   const GhostedVector &start);
 
-    /// Let points with elastic slip begin an increment with the shears of a
-    /// state; if that is not the start, with those that lead to them.
-    void set_elastic_start(const GhostedVector &solution,
-                           const GhostedVector &u_start);
+    /// Find the points of edges as an increment begins, see PointFrames.
+    void find_edges(const GhostedVector &u_start);
+
+    /// Let points on springs and with elastic slip begin an increment with the
+    /// shears of a state; if that is not the start, with those that lead to
+    /// them.
+    void set_shear_at_start(const GhostedVector &solution,
+                            const GhostedVector &u_start);
 
     /**
      * Surfaces that overlap in the mesh are parted along the first increment,
@@ -251,7 +256,7 @@ namespace Contact
                                const ContactState<dim> &now) const;
 
     /// Gap, slip and multipliers in a solution; the slip is without what
-    /// springs give way, see PointPairing::stick_compliance.
+    /// springs give way, see ContactPoint::stick_compliance().
     ContactState<dim> state(const ContactPoint<dim> &point,
                             const GhostedVector     &solution,
                             const GhostedVector     &u_start) const;

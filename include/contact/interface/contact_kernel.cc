@@ -154,33 +154,39 @@ namespace Contact
                            rows.load_q[t][j]  = node_by_way(rows.load_q[t]);
                          }
                      });
-    if (point.elastic_slip > 0)
-      follow_elastic_slip(point,
-                          interface.state(point, solution, u_start),
-                          rows);
+    if (interface.has_friction(point))
+      follow_springs(point, interface.state(point, solution, u_start), rows);
   }
 
 
 
   // The change of kappa does nothing where a point sticks.
   template<int dim>
-  void ContactKernel<dim>::follow_elastic_slip(const ContactPoint<dim> &point,
-                                               const ContactState<dim> &now,
-                                               Rows &rows) const
+  void ContactKernel<dim>::follow_springs(const ContactPoint<dim> &point,
+                                          const ContactState<dim> &now,
+                                          Rows                    &rows) const
   {
+    const unsigned int n_m   = point.n_multipliers;
+    const unsigned int first = dim * point.n_nodes + n_m;
     if (!now.is_elastic)
-      return;
+      {
+        const Tensor<2, dim - 1> compliance = point.stick_compliance();
+        for (unsigned int t = 0; t < dim - 1; ++t)
+          for (unsigned int s = 0; s < dim - 1; ++s)
+            for (unsigned int k = 0; k < n_m; ++k)
+              rows.q_trial[t][first + s * n_m + k] -=
+                compliance[t][s] * point.psi[k];
+        return;
+      }
     const auto   elastic = interface.elastic_shear(point, now);
     const double by_p =
       interface.bounds.law(point).bound_derivative(now.p_trial);
-    const unsigned int first = dim * point.n_nodes + point.n_multipliers;
-    const double       softer =
+    const double softer =
       elastic.kappa * elastic.stiffness / point.augmentation_parameter;
     for (unsigned int t = 0; t < dim - 1; ++t)
       for (unsigned int j = 0; j < rows.unknowns.size(); ++j)
         {
-          const bool is_shear =
-            j >= first && j < first + (dim - 1) * point.n_multipliers;
+          const bool is_shear = j >= first && j < first + (dim - 1) * n_m;
           rows.q_trial[t][j] *= is_shear ? 1 - elastic.kappa : softer;
           rows.q_trial[t][j] +=
             elastic.kappa * by_p * elastic.zeta[t] * rows.p_trial[j];

@@ -68,10 +68,10 @@ namespace Contact
               Rows                       &rows) const;
 
   private:
-    /// The derivatives of a trial shear that elastic slip makes.
-    void follow_elastic_slip(const ContactPoint<dim> &point,
-                             const ContactState<dim> &now,
-                             Rows                    &rows) const;
+    /// The derivatives of a trial shear that springs and elastic slip make.
+    void follow_springs(const ContactPoint<dim> &point,
+                        const ContactState<dim> &now,
+                        Rows                    &rows) const;
 
     /// The equations of a point over its unknowns.
     void assemble_residual(const ContactPoint<dim> &point,

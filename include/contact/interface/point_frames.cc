@@ -105,17 +105,6 @@ namespace Contact
 
 
 
-  // On a deformable master in 3-D the elimination decides: the shear of a point
-  // that other normals hold may be what presses the node against them, and
-  // without it the active set finds no end.
-  template<int dim>
-  bool PointFrames<dim>::gives_tangents_up(const ContactPoint<dim> &point) const
-  {
-    return dim == 2 || !(*pairs)[point.contact_pair]->master;
-  }
-
-
-
   template<int dim>
   bool PointFrames<dim>::have_common_facets(const ContactPoint<dim> &a,
                                             const ContactPoint<dim> &b) const
@@ -182,33 +171,6 @@ namespace Contact
   {
     return part_opposite(a, *(*pairs)[a.contact_pair]) ==
            part_opposite(b, *(*pairs)[b.contact_pair]);
-  }
-
-
-
-  // Nodes that supports hold in all directions do not tell rows apart.
-  template<int dim>
-  bool PointFrames<dim>::have_one_row(const ContactPoint<dim> &a,
-                                      const ContactPoint<dim> &b) const
-  {
-    const double smallest_difference = 1e-2; // of that of the own node
-    const auto  &constraints =
-      (*pairs)[a.contact_pair]->discretization.constraints;
-    std::map<NodeDoFs<dim>, double> difference;
-    for (unsigned int k = 0; k < a.n_nodes; ++k)
-      difference[a.dofs(k)] += a.C[k];
-    for (unsigned int k = 0; k < b.n_nodes; ++k)
-      difference[b.dofs(k)] -= b.C[k];
-    return std::all_of(
-      difference.begin(),
-      difference.end(),
-      [&](const auto &of_node) {
-        const auto &dofs = of_node.first;
-        return std::abs(of_node.second) < smallest_difference ||
-               std::all_of(dofs.begin(), dofs.end(), [&](const auto dof) {
-                 return constraints.is_constrained(dof);
-               });
-      });
   }
 
 
@@ -406,6 +368,25 @@ namespace Contact
           points[q].status = PointStatus<dim>();
           points[q].change = PairingChange<dim>();
         }
+  }
+
+
+
+  template<int dim>
+  void PointFrames<dim>::find_edges(std::vector<ContactPoint<dim>> &points,
+                                    const std::vector<bool> &touches) const
+  {
+    const auto meet = [&](const unsigned int q, const unsigned int other) {
+      const ContactPoint<dim> &a = points[q], &b = points[other];
+      return touches[q] && touches[other] &&
+             (are_on_one_body(a, b) ||
+              a.normal * b.normal < cosine_of_curves<dim>());
+    };
+    for (const auto &[q, others] : others_at_node)
+      points[q].is_in_an_edge =
+        std::any_of(others.begin(), others.end(), [&](const auto other) {
+          return meet(q, other);
+        });
   }
 
 

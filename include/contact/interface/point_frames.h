@@ -38,17 +38,16 @@ namespace Contact
    *    as the dual function of the node over all of its facets has, and one
    *    pressure; the others face nothing. In results each of them has the
    *    pressure of the first one and its own part of the weight.
-   * 4. Points of a node hold each other where their rows are the same: on
-   *    meshes that match, on a master that supports hold, on an obstacle.
-   *    Normals come before tangents: along the normals of such others in
-   *    contact a point does not slip, and has no shear. One that sticks holds
-   *    the node in all directions: another one is not in contact unless it is
-   *    moved into the other body. Where rows differ, each point has its own
-   *    slip.
-   * 5. Where the bodies that two points face touch each other there as well,
-   *    the slip of one follows from the other two: normals come before tangents
-   *    as in 4, and if all three stick the later point has no shear.
-   * tangents_held_by_points() follows the active set.
+   * 4. Points that stick tell the slip of a node once each, as where a side of
+   *    a tray holds a block that its floor holds, too, or a body stands on one
+   *    body and beside another one. Such equations follow from each other, or
+   *    contradict each other a little, and shear surfaces until they agree. So
+   *    where points of a node face one body, or have other normals, and are
+   *    closer to what they face than a tenth of an edge as the increment
+   *    begins, springs of the stiffness c take the place of sticking
+   *    (ContactPoint::is_in_an_edge), as on edges that supports hold. Their
+   *    slip q/c vanishes with the size of the mesh. This depends on no status,
+   *    and on no order of the points.
    */
   template<int dim>
   class PointFrames
@@ -79,26 +78,9 @@ namespace Contact
     Joined join(std::vector<ContactPoint<dim>> &points,
                 const GhostedVector            &u) const;
 
-    /// The points of nodes that have several.
-    const std::map<unsigned int, std::vector<unsigned int>> &others() const
-    {
-      return others_at_node;
-    }
-
-    /// Whether another point of the node of a point, with the same row, sticks.
-    template<typename StatusOf>
-    bool sticks_at_node(const std::vector<ContactPoint<dim>> &points,
-                        const unsigned int                    q,
-                        const StatusOf                       &status_of) const;
-
-    /// The directions along the tangents of the point @p q in which others in
-    /// contact hold its node. Orthonormal. @p status_of gives the status of a
-    /// point by its number.
-    template<typename StatusOf>
-    std::vector<Tensor<1, dim>>
-    tangents_held_by_points(const std::vector<ContactPoint<dim>> &points,
-                            const unsigned int                    q,
-                            const StatusOf &status_of) const;
+    /// Find the points of edges among those that touch what they face.
+    void find_edges(std::vector<ContactPoint<dim>> &points,
+                    const std::vector<bool>        &touches) const;
 
     /// The normal multiplier that is the pressure for which a point has the
     /// multiplier @p k: that, or the one of the point that it is joined to.
@@ -115,22 +97,12 @@ namespace Contact
                       const GhostedVector            &u) const;
     bool see_one_surface(const ContactPoint<dim> &a,
                          const ContactPoint<dim> &b) const;
-    bool have_one_row(const ContactPoint<dim> &a,
-                      const ContactPoint<dim> &b) const;
     bool are_on_one_body(const ContactPoint<dim> &a,
                          const ContactPoint<dim> &b) const;
-    /// The status in which a node that the point @p a faces touches the body
-    /// that @p b faces: then three bodies meet there.
-    template<typename StatusOf>
-    Status third_of_ring(const std::vector<ContactPoint<dim>> &points,
-                         const unsigned int                    a,
-                         const unsigned int                    b,
-                         const StatusOf                       &status_of) const;
-    bool   gives_tangents_up(const ContactPoint<dim> &point) const;
-    bool   have_common_facets(const ContactPoint<dim> &a,
-                              const ContactPoint<dim> &b) const;
-    void   join_to_first(const std::vector<unsigned int> &joined,
-                         std::vector<ContactPoint<dim>>  &points) const;
+    bool have_common_facets(const ContactPoint<dim> &a,
+                            const ContactPoint<dim> &b) const;
+    void join_to_first(const std::vector<unsigned int> &joined,
+                       std::vector<ContactPoint<dim>>  &points) const;
 
     const Pairs                                       *pairs = nullptr;
     std::map<NodeDoFs<dim>, std::vector<unsigned int>> at_node; // of all
@@ -138,81 +110,6 @@ namespace Contact
     std::map<unsigned int, std::vector<unsigned int>>  others_at_node;
     std::map<unsigned int, unsigned int>               point_of_multiplier;
   };
-
-
-
-  template<int dim>
-  template<typename StatusOf>
-  bool
-  PointFrames<dim>::sticks_at_node(const std::vector<ContactPoint<dim>> &points,
-                                   const unsigned int                    q,
-                                   const StatusOf &status_of) const
-  {
-    const auto of_node = others_at_node.find(q);
-    return of_node != others_at_node.end() &&
-           std::any_of(of_node->second.begin(),
-                       of_node->second.end(),
-                       [&](const unsigned int other) {
-                         return status_of(other).kind == Status::stick &&
-                                have_one_row(points[q], points[other]);
-                       });
-  }
-
-
-
-  template<int dim>
-  template<typename StatusOf>
-  std::vector<Tensor<1, dim>> PointFrames<dim>::tangents_held_by_points(
-    const std::vector<ContactPoint<dim>> &points,
-    const unsigned int                    q,
-    const StatusOf                       &status_of) const
-  {
-    std::vector<Tensor<1, dim>> held;
-    const auto                  of_node = others_at_node.find(q);
-    if (of_node == others_at_node.end())
-      return held;
-    const ContactPoint<dim> &of      = points[q];
-    const auto               hold_in = [&](const Tensor<1, dim> &direction) {
-      add_orthonormal(of.along_tangents(of.tangential_part(direction)), held);
-    };
-    for (const unsigned int other : of_node->second)
-      if (status_of(other).kind != Status::open)
-        {
-          const Status ring =
-            std::max(third_of_ring(points, q, other, status_of),
-                     third_of_ring(points, other, q, status_of));
-          if (ring != Status::open ||
-              (gives_tangents_up(of) && have_one_row(of, points[other])))
-            hold_in(points[other].normal);
-          if (ring == Status::stick && other < q &&
-              status_of(other).kind == Status::stick)
-            for (const Tensor<1, dim> &tangent : points[other].tangents)
-              hold_in(tangent);
-        }
-    return held;
-  }
-
-
-
-  template<int dim>
-  template<typename StatusOf>
-  Status
-  PointFrames<dim>::third_of_ring(const std::vector<ContactPoint<dim>> &points,
-                                  const unsigned int                    a,
-                                  const unsigned int                    b,
-                                  const StatusOf &status_of) const
-  {
-    Status                   third = Status::open;
-    const ContactPoint<dim> &of_a  = points[a];
-    if (!are_on_one_body(of_a, points[b]))
-      for (unsigned int k = of_a.n_slave_nodes; k < of_a.n_nodes; ++k)
-        if (const auto there = at_node.find(of_a.dofs(k));
-            there != at_node.end())
-          for (const unsigned int q : there->second)
-            if (are_on_one_body(points[q], points[b]))
-              third = std::max(third, status_of(q).kind);
-    return third;
-  }
 } // namespace Contact
 
 #endif

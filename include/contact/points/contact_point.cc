@@ -66,17 +66,31 @@ namespace Contact
   std::vector<Tensor<1, dim>> ContactPoint<dim>::directions_of_slip() const
   {
     std::vector<Tensor<1, dim>> directions = this->tangents_held_by_supports;
-    for (const Tensor<1, dim> &across : tangents_held_by_points)
-      add_orthonormal(across, directions);
+    const Tensor<2, dim - 1>    compliance = stick_compliance();
     for (unsigned int t = 0; t < dim - 1; ++t)
-      add_orthonormal(this->along_tangents(this->stick_compliance[t]),
-                      directions);
+      add_orthonormal(this->along_tangents(compliance[t]), directions);
     const unsigned int n_others = directions.size();
     for (unsigned int i = 0; i < dim; ++i)
       add_orthonormal(Tensor<1, dim>(Point<dim>::unit_vector(i)), directions);
     directions.erase(directions.begin(), directions.begin() + n_others);
     return directions;
   }
+
+  template<int dim>
+  Tensor<2, dim - 1> ContactPoint<dim>::stick_compliance() const
+  {
+    if (!is_in_an_edge)
+      return this->rim_compliance;
+    Tensor<2, dim - 1> all = unit_symmetric_tensor<dim - 1>();
+    for (const Tensor<1, dim> &across : this->tangents_held_by_supports)
+      {
+        const Tensor<1, dim - 1> held = this->tangential_part(across);
+        all -= outer_product(held, held);
+      }
+    return all;
+  }
+
+
 
   template struct PointPairing<2>;
   template struct PointPairing<3>;

@@ -194,7 +194,7 @@ namespace Contact
 
     // The projection on the rim, where the master is free along the surface: a
     // spring of the stiffness c holds what sticks there.
-    Tensor<2, dim - 1> stick_compliance;
+    Tensor<2, dim - 1> rim_compliance;
   };
 
 
@@ -249,9 +249,9 @@ namespace Contact
     // of the bound there, which elastic slip goes on from [-].
     Tensor<1, dim - 1> shear_at_start, share_at_start;
 
-    // In 3-D, the directions along the tangents in which other points in
-    // contact hold the node, see PointFrames. Orthonormal.
-    std::vector<Tensor<1, dim>> tangents_held_by_points;
+    // Other points of its node touch what they face when the increment begins:
+    // springs of the stiffness c hold it in all directions, see PointFrames.
+    bool is_in_an_edge = false;
 
     // Of a point that is joined to others; else nothing.
     std::shared_ptr<const JoinedPoint<dim>> joined;
@@ -259,6 +259,10 @@ namespace Contact
     /// The unit vectors, or what void and held slips and springs leave:
     /// orthonormal.
     std::vector<Tensor<1, dim>> directions_of_slip() const;
+
+    /// The projection on the directions in which springs of the stiffness c
+    /// take the place of sticking.
+    Tensor<2, dim - 1> stick_compliance() const;
 
     /// A slip or shear without its part in directions along the tangents, which
     /// are orthonormal.

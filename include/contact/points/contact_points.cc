@@ -225,8 +225,11 @@ namespace Contact
   {
     const Tensor<1, 3> &n     = point.normal;
     Tensor<1, 3>       &first = point.tangents[0];
-    const auto          tilt  = [&]() { return first - (first * n) * n; };
-    if (tilt().norm() < 0.5)
+    // The last normal n0, and the rotation about n0 x n that makes n of it.
+    const Tensor<1, 3> n0 = cross_product_3d(first, point.tangents[1]);
+    if (n0 * n0 > 0 && n0 * n > -0.5)
+      first -= (first * n) / (1 + n0 * n) * (n0 + n);
+    else
       {
         unsigned int axis = 0;
         for (unsigned int i = 1; i < 3; ++i)
@@ -234,7 +237,8 @@ namespace Contact
             axis = i;
         first = Point<3>::unit_vector(axis);
       }
-    first             = tilt() / tilt().norm();
+    first -= (first * n) * n;
+    first /= first.norm();
     point.tangents[1] = cross_product_3d(n, first);
   }
 

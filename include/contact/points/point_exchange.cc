@@ -127,7 +127,7 @@ namespace Contact
                    point.projection,
                    point.has_no_free_tangent,
                    point.tangents_held_by_supports,
-                   point.stick_compliance,
+                   point.rim_compliance,
                    point.change.dofs,
                    point.change.slide,
                    point.C);

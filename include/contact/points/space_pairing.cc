@@ -186,7 +186,7 @@ namespace Contact
     std::vector<Tensor<1, 2>> basis;
     for (const Tensor<1, 3> &across : point.tangents_held_by_supports)
       basis.push_back(point.tangential_part(across));
-    point.stick_compliance = 0;
+    point.rim_compliance = 0;
     for (const Tensor<1, 3> &held : point.dirichlet_edges)
       for (unsigned int a = point.n_slave_nodes; a < point.n_nodes; ++a)
         if (std::abs(point.normal * held) < sine &&
@@ -195,7 +195,7 @@ namespace Contact
     for (unsigned int k = point.tangents_held_by_supports.size();
          k < basis.size();
          ++k)
-      point.stick_compliance += outer_product(basis[k], basis[k]);
+      point.rim_compliance += outer_product(basis[k], basis[k]);
   }
 
 

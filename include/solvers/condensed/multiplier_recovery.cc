@@ -108,14 +108,12 @@ namespace Contact
     if (point.status.kind == Status::stick)
       {
         std::vector<Tensor<1, dim - 1>> free;
+        const Tensor<2, dim - 1>        compliance = point.stick_compliance();
         for (const Tensor<1, dim - 1> &slip : free_slips(point, discretization))
           {
             const Tensor<1, dim - 1> direction =
-              point.without(point.tangents_held_by_points,
-                            point.without(point.tangents_held_by_supports,
-                                          slip));
-            add_orthonormal(direction - point.stick_compliance * direction,
-                            free);
+              point.without(point.tangents_held_by_supports, slip);
+            add_orthonormal(direction - compliance * direction, free);
           }
         return free;
       }
@@ -174,7 +172,6 @@ namespace Contact
         tractions[k] = traction_of_single(k, residual);
     if (any_coupled)
       solve_coupled(residual, tractions);
-    share_along_edges(tractions);
     for (unsigned int k = 0; k < points.size(); ++k)
       {
         const Tensor<1, dim - 1> d = points[k].status.direction();
@@ -190,46 +187,6 @@ namespace Contact
                              : tractions[k].q - (tractions[k].q * d) * d;
       }
     return tractions;
-  }
-
-
-
-  // On obstacles they stick up to the sum of their bounds, and slip together.
-  template<int dim>
-  void
-  MultiplierRecovery<dim>::share_along_edges(std::vector<Pair> &tractions) const
-  {
-    if constexpr (dim == 3)
-      {
-        std::map<NodeDoFs<dim>, std::vector<unsigned int>> at_edges;
-        for (unsigned int k = 0; k < points.size(); ++k)
-          if (points[k].status.kind == Status::stick &&
-              !interface.contact_pair(points[k]).master &&
-              points[k].tangents_held_by_points.size() == 1)
-            at_edges[points[k].dofs(0)].push_back(k);
-        for (const auto &[node, of_node] : at_edges)
-          {
-            const ContactPoint<dim> &first = points[of_node[0]];
-            const Tensor<1, dim>     edge =
-              cross_product_3d(first.normal, first.tangents_held_by_points[0]);
-            const auto bound = [&](const unsigned int k) {
-              return interface.bounds.law(points[k]).bound(tractions[k].p);
-            };
-            double force = 0, most = 0;
-            for (const unsigned int k : of_node)
-              {
-                force += points[k].weight *
-                         (points[k].along_tangents(tractions[k].q) * edge);
-                most += points[k].weight * bound(k);
-              }
-            for (const unsigned int k : of_node)
-              if (most > 0)
-                tractions[k].q =
-                  points[k].tangential_part(force * bound(k) / most * edge);
-          }
-      }
-    else
-      (void)tractions;
   }
 
 
@@ -261,9 +218,10 @@ namespace Contact
             traction[i] -= f.known;
             direction[i] = f.p;
           }
-    return {traction * direction / direction.norm_square(),
-            shear_directions[k].empty() ? Tensor<1, dim - 1>()
-                                        : point.tangential_part(traction)};
+    Pair pair{traction * direction / direction.norm_square(), {}};
+    for (const Tensor<1, dim - 1> &along : shear_directions[k])
+      pair.q += (point.tangential_part(traction) * along) * along;
+    return pair;
   }
 
 

@@ -20,7 +20,7 @@ namespace Contact
     {
       if (now.is_elastic)
         return now.slip;
-      return now.slip - point.stick_compliance *
+      return now.slip - point.stick_compliance() *
                           (now.lambda_t - point.shear_at_start) /
                           point.augmentation_parameter;
     }
@@ -78,9 +78,7 @@ namespace Contact
                                      const GhostedVector         &u_start,
                                      const bool any_rank_may_add)
   {
-    std::vector<Term> all;
-    if (dim == 2 && !interface.has_elastic_slip())
-      return all;
+    std::vector<Term>               all;
     std::vector<Tensor<1, dim - 1>> acting;
     for (unsigned int k = 0; k < interface.points().size(); ++k)
       {
@@ -91,7 +89,7 @@ namespace Contact
         const Tensor<1, dim - 1> whole_slip = way(point, now);
         const double bound   = interface.bounds.law(point).bound(now.p_trial);
         double       of_unit = point.augmentation_parameter;
-        Tensor<2, dim - 1> compliance = point.stick_compliance;
+        Tensor<2, dim - 1> compliance = point.stick_compliance();
         if (now.is_elastic)
           {
             const auto elastic = interface.elastic_shear(point, now);
@@ -121,9 +119,8 @@ namespace Contact
         if constexpr (dim == 3)
           {
             const double size = now.q_trial.norm();
-            // Supports move it, or an edge leaves one direction: nothing turns.
-            if (!point.status.has_direction() || size == 0 ||
-                !point.tangents_held_by_points.empty())
+            // Supports move it: nothing turns.
+            if (!point.status.has_direction() || size == 0)
               continue;
             // The exact stiffness of a point that hardly slips is without
             // bound: multigrid takes more iterations then, and active sets find

@@ -25,7 +25,7 @@ namespace Contact
    * square of a facet's length. At the solution k = w b/|s|, the derivative of
    * the exact law. In 2-D there is nothing to turn.
    *
-   * Along a spring (PointPairing::stick_compliance) q_trial changes by -c ds
+   * Along a spring (ContactPoint::stick_compliance()) q_trial changes by -c ds
    * alone: with P the projection across springs, alpha = beta/(1 - beta a.P a),
    *   lambda_new = b (d + alpha a.P d a) - alpha a (a.P lambda + c a.ds).
    * A point that sticks has the stiffness c of its springs.

@@ -114,7 +114,6 @@ namespace Contact
         Tensor<1, 1>({tractions[i].q == numbers::invalid_unsigned_int
                         ? 0.
                         : z[tractions[i].q]}));
-    problem.release_held();
     corrected = problem.solve_changes(update);
     return true;
   }
@@ -144,19 +143,7 @@ namespace Contact
          ++q)
       {
         LinearizedContact::Point &point  = problem.points[q];
-        PointStatus<2>            status = status_after(q, update);
-        if (interface.active_set.is_closed_by_noise(
-              q,
-              point.p_after(update),
-              [&](const unsigned int other) {
-                return status_after(other, update);
-              }))
-          status = {Status::open, 0};
-        if (interface.active_set
-              .is_held_by_others(q, [&](const unsigned int other) {
-                return other == q ? status : problem.points[other].status;
-              }))
-          status = {Status::slip, 0};
+        const PointStatus<2>      status = status_after(q, update);
         if (status == point.status)
           continue;
         changed           = true;
@@ -165,7 +152,6 @@ namespace Contact
         if (!interface.bounds.follow && status.kind == Status::open)
           interface.bounds.reset(q);
       }
-    problem.release_held();
     return changed;
   }
 

@@ -83,20 +83,6 @@ namespace Contact
 
 
 
-  void LinearizedContact::release_held()
-  {
-    for (unsigned int q = 0; q < points.size(); ++q)
-      if (interface.active_set.is_held_by_others(
-            q,
-            [this](const unsigned int point) { return points[point].status; }))
-        {
-          points[q].status      = {Status::slip, 0};
-          points[q].has_changed = true;
-        }
-  }
-
-
-
   std::vector<signed char> LinearizedContact::signature() const
   {
     std::vector<signed char> signature;

@@ -90,9 +90,6 @@ namespace Contact
                            FullMatrix<double>   &matrix,
                            Vector<double>       &constant) const;
 
-    /// Release what ActiveSet::is_held_by_others() finds.
-    void release_held();
-
     /// The statuses of all points, to be compared.
     std::vector<signed char> signature() const;
 
