@@ -23,10 +23,10 @@ Proves that
   load, one contact group around it has the forces of a pair for each side;
 - a block that is pushed against the foot of a ramp runs up it, with the force of a
   rigid block, whether the ground is one slave or two;
-- with friction on all sides of its edges and corners, on one body or on obstacles, a
-  cube in a corner of three walls goes where forces push it, in few steps and the same
-  way with the walls as the slave; and along an edge of two walls it is dragged by
-  the coefficient of friction times what it presses them with.
+- with friction on all sides a cube in a corner of three walls goes where forces push
+  it, in few steps and the same way with the walls as the slave; and along an edge of
+  two walls, of one body or obstacles, it is dragged by the coefficient of friction
+  times what it presses them with.
 
 Usage: slave_corners.py CONTACT PARAMETERS MESHES
 """
@@ -488,6 +488,10 @@ def room(walls):
 
 
 CUBE_SLAVE = {"Contact/Slave": "Cube_out", "Contact/Master": "Walls_in"}
+OBSTACLES = {
+    f"Contact {c}/{key}": entry for c, normal in (("x", "1, 0, 0"), ("z", "0, 0, 1"))
+    for key, entry in (("Slave", "Cube_out"),
+                       ("Obstacle", f"half space: 0, 0, 0, {normal}"))}
 WALLS_SLAVE = {"Contact/Slave": "Walls_in", "Contact/Master": "Cube_out"}
 
 
@@ -513,13 +517,17 @@ def pushed_into_a_corner():
 
 def dragged_along_an_edge():
     scene = room((0, 2))
-    for degree, rule, contact in (
-            (1, "mortar", CUBE_SLAVE), (1, "mortar", WALLS_SLAVE),
-            (2, "mortar", CUBE_SLAVE), (1, "nodal", CUBE_SLAVE)):
+    for what, degree, rule, contact in (
+            ("cube", 1, "mortar", CUBE_SLAVE), ("walls", 1, "mortar", WALLS_SLAVE),
+            ("cube", 2, "mortar", CUBE_SLAVE), ("cube", 1, "nodal", CUBE_SLAVE),
+            ("obstacles", 1, "mortar", OBSTACLES), ("obstacles", 1, "nodal", OBSTACLES)):
         for mu in (0.2, 0.6):
             status, said, summary = run("room", {
-                **scene, **contact, "Contact/Friction coefficient": mu,
-                "Contact/Discretization": rule, "Element/Degree": degree,
+                **scene, **contact, "Element/Degree": degree,
+                **{f"{pair}/{key}": entry
+                   for pair in {name.split("/")[0] for name in contact}
+                   for key, entry in (("Friction coefficient", mu),
+                                      ("Discretization", rule))},
                 "Solution/Increments": "0.5, 0.75, 1",
                 "Boundary conditions/Displacement y": "Walls_base: 0, Cube_head: 0.2",
                 "Boundary conditions/Force x": "Cube_head: -30",
@@ -530,7 +538,8 @@ def dragged_along_an_edge():
                 "Probes/Probes": "drag: reaction y, Cube_head"})
             steps = [i["newton_iterations"] for i in summary.get("increments", [])]
             drag = value(summary, "drag") if status == 0 else math.nan
-            check(f"along an edge, degree {degree}, {rule}, friction {mu}: {steps} steps",
+            check(f"along an edge, {what}, degree {degree}, {rule}, friction {mu}: "
+                  f"{steps} steps",
                   abs(drag / (mu * 70) - 1) < 5e-4 and max(steps) <= 15,
                   f"{drag} {mu * 70} {said[-300:]}")
 

@@ -191,6 +191,17 @@ namespace Contact
 
 
   template<int dim>
+  std::vector<signed char> ContactInterface<dim>::signature() const
+  {
+    std::vector<signed char> all = active_set.signature();
+    for (const ContactPoint<dim> &point : all_points)
+      all.push_back(point.is_in_an_edge);
+    return all;
+  }
+
+
+
+  template<int dim>
   void ContactInterface<dim>::set_shear_at_start(const GhostedVector &solution,
                                                  const GhostedVector &u_start)
   {
@@ -374,8 +385,7 @@ namespace Contact
   template<int dim>
   double ContactInterface<dim>::constraint_norm(const GhostedVector &rhs) const
   {
-    // Every multiplier has a point of its own surroundings: the last one
-    // wins.
+    // Every multiplier has a point of its own surroundings: the last one wins.
     std::vector<double> stiffness(n_normal_multipliers(), 0.);
     for (const ContactPoint<dim> &point : all_points)
       for (unsigned int k = 0; k < point.n_multipliers; ++k)

@@ -184,6 +184,10 @@ namespace Contact
     /// Find the points of edges as an increment begins, see PointFrames.
     void find_edges(const GhostedVector &u_start);
 
+    /// What else than the state the equations of contact follow: the statuses
+    /// of all points, and which are in edges.
+    std::vector<signed char> signature() const;
+
     /// Let points on springs and with elastic slip begin an increment with the
     /// shears of a state; if that is not the start, with those that lead to
     /// them.

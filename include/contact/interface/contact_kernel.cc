@@ -154,7 +154,7 @@ namespace Contact
                            rows.load_q[t][j]  = node_by_way(rows.load_q[t]);
                          }
                      });
-    if (interface.has_friction(point))
+    if (point.elastic_slip > 0 || point.is_in_an_edge)
       follow_springs(point, interface.state(point, solution, u_start), rows);
   }
 

@@ -76,6 +76,8 @@ namespace Contact
     return directions;
   }
 
+
+
   template<int dim>
   Tensor<2, dim - 1> ContactPoint<dim>::stick_compliance() const
   {

@@ -86,10 +86,6 @@ namespace Contact
     void solve_coupled(const GhostedVector &residual,
                        std::vector<Pair>   &tractions) const;
 
-    /// The force along an edge where obstacles meet is of the points that stick
-    /// there, each as much as it can bear.
-    void share_along_edges(std::vector<Pair> &tractions) const;
-
     /// A row of the least squares, and its right-hand side.
     struct Equation
     {

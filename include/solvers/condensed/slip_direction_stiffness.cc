@@ -83,7 +83,7 @@ namespace Contact
     for (unsigned int k = 0; k < interface.points().size(); ++k)
       {
         const ContactPoint<dim> &point = interface.points()[k];
-        if (point.status.kind == Status::open)
+        if (point.status.kind == Status::open || !interface.has_friction(point))
           continue;
         const ContactState<dim> now = interface.state(point, solution, u_start);
         const Tensor<1, dim - 1> whole_slip = way(point, now);

@@ -281,7 +281,7 @@ namespace Contact
         factorized_version != elasticity.tangent_version())
       return false;
     if (interface &&
-        (factorized_statuses != interface->active_set.signature() ||
+        (factorized_contact != interface->signature() ||
          (interface->has_coulomb_friction() && !interface->bounds.follow)))
       return false;
     return has_frozen_geometry() || is_nearby(discretization,
@@ -310,7 +310,7 @@ namespace Contact
     if (!solver.is_factorized() || discretization.update_is_prescribed() ||
         pattern_version != discretization.pattern_version() ||
         factorized_version != elasticity.tangent_version() ||
-        (interface && factorized_statuses != interface->active_set.signature()))
+        (interface && factorized_contact != interface->signature()))
       return false;
     if (elasticity.is_linear() && !geometry_follows &&
         !(interface && interface->has_elastic_slip()))
@@ -370,7 +370,7 @@ namespace Contact
     stresses_turn      = stress_stiffness == StressStiffness::with;
     factorized_version = elasticity.tangent_version();
     if (interface)
-      factorized_statuses = interface->active_set.signature();
+      factorized_contact = interface->signature();
   }
 
 

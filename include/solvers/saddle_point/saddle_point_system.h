@@ -171,7 +171,7 @@ namespace Contact
 
     // The state that the matrix was factorized in.
     GhostedVector            factorized_at;
-    std::vector<signed char> factorized_statuses;
+    std::vector<signed char> factorized_contact;
     bool                     stresses_turn      = false; // in the matrix
     unsigned int             factorized_version = 0;
     unsigned int             pattern_version    = 0; // of constraints
