@@ -23,6 +23,7 @@ Proves that
   load, one contact group around it has the forces of a pair for each side;
 - a block that is pushed against the foot of a ramp runs up it, with the force of a
   rigid block, whether the ground is one slave or two;
+- what springs do in a corner of a plane does not depend on the augmentation;
 - with friction on all sides a cube in a corner of three walls goes where forces push
   it, in few steps and the same way with the walls as the slave; and along an edge of
   two walls, of one body or obstacles, it is dragged by the coefficient of friction
@@ -487,6 +488,51 @@ def room(walls):
             "Solution/Increments": 2, "Probes/Errors": "none"}
 
 
+def pushed_into_a_plane_corner():
+    """The way does not depend on c, by which conditions alone are weighed."""
+    mesh = Mesh()
+    for low in itertools.product((0, 1), repeat=2):
+        if min(low) == 0:
+            ends = [(-1 + a, 0 if a == 0 else 3) for a in low]
+            mesh.block("Walls", *(1 if a == 0 else 3 for a in low),
+                       lambda *r, ends=ends: tuple(
+                           a + s * (b - a) for s, (a, b) in zip(r, ends)),
+                       {"bottom": "Base", "top": "In"} if low == (1, 0) else
+                       {"left": "Base", "right": "In"} if low == (0, 1) else {})
+    mesh.merge()
+    mesh.block("Block", 4, 6, lambda s, t: (2 * s + max(0, 3 * t - 2), 3 * t), {
+        "bottom": "Out", "left": "Out", "top": "Head"})
+    mesh.write("plane_corner")
+    for rule, slave, master, end in (
+            ("mortar", "Out", "In", {"Contact/Excluded points": "End"}),
+            ("nodal", "Out", "In", {"Contact/Excluded points": "End"}),
+            ("mortar", "In", "Out", {})):
+        ways = []
+        for c in (1e-3, 1, 100):
+            status, said, summary = run("plane_corner", {
+                "Mesh/File": "plane_corner.msh", "Mesh/Points": "P: 3, 3; End in Block: 1, 3",
+                "Solids/Young's modulus": "Walls: 1000, Block: 1000",
+                "Solids/Poisson's ratio": "Walls: 0.3, Block: 0.3",
+                "Boundary conditions/Displacement x": "Base: 0",
+                "Boundary conditions/Displacement y": "Base: 0",
+                "Boundary conditions/Rigid": "Head: P",
+                "Boundary conditions/Rotation z": "Head: 0",
+                "Boundary conditions/Force x": "Head: -10",
+                "Boundary conditions/Force y": "Head: -20",
+                "Contact/Slave": slave, "Contact/Master": master,
+                "Contact/Discretization": rule, "Contact/Friction coefficient": 0.5,
+                "Contact/Augmentation parameter": c, **end,
+                "Solution/Increments": 2, "Probes/Errors": "none",
+                "Probes/Probes": "ux: displacement x, P; uy: displacement y, P"})
+            steps = [i["newton_iterations"] for i in summary.get("increments", [])]
+            check(f"into a plane corner, {rule}, slave {slave}, c {c}: {steps} steps",
+                  status == 0 and max(steps) <= 12, said[-300:] if status else "")
+            if status == 0:
+                ways.append([value(summary, u) for u in ("ux", "uy")])
+        check("  the same way for all c", len(ways) == 3 and all(
+            abs(a / b - 1) < 1e-6 for way in ways for a, b in zip(way, ways[1])), ways)
+
+
 CUBE_SLAVE = {"Contact/Slave": "Cube_out", "Contact/Master": "Walls_in"}
 OBSTACLES = {
     f"Contact {c}/{key}": entry for c, normal in (("x", "1, 0, 0"), ("z", "0, 0, 1"))
@@ -547,6 +593,6 @@ def dragged_along_an_edge():
 for scene in (sole, sole_in_space, not_refined,
               in_a_plane_of_symmetry, on_its_corner, tilted, sunk,
               by_a_corner, short_master, on_one_node, turned_in_a_hole,
-              up_a_ramp, pushed_into_a_corner, dragged_along_an_edge):
+              up_a_ramp, pushed_into_a_plane_corner, pushed_into_a_corner, dragged_along_an_edge):
     scene()
 sys.exit(len(failures) > 0)

@@ -176,6 +176,7 @@ namespace Contact
 
 
 
+  // Springs have the stiffness E/h, whatever the parameters say of c.
   template<int dim>
   void ContactInterface<dim>::find_edges(const GhostedVector &u_start)
   {
@@ -186,6 +187,15 @@ namespace Contact
                         state(point, u_start, u_start).gap <=
                           near * contact_pair(point).edge_length(point));
     frames.find_edges(all_points, touches);
+    for (ContactPoint<dim> &point : all_points)
+      if (const ContactPair<dim> &of = contact_pair(point);
+          of.has_point_per_multiplier())
+        {
+          const bool has_springs =
+            point.is_in_an_edge || !point.dirichlet_edges.empty();
+          point.augmentation_parameter =
+            (has_springs ? 1 : of.augmentation_parameter) * of.stiffness(point);
+        }
   }
 
 

@@ -86,13 +86,14 @@ namespace Contact
                                 const Pairs                          &pairs)
     : pairs(&pairs)
   {
+    std::map<NodeDoFs<dim>, std::vector<unsigned int>> at_node;
     for (unsigned int q = 0; q < points.size(); ++q)
       if (points[q].n_multipliers == 1)
         at_node[points[q].dofs(0)].push_back(q);
     for (const auto &[dofs, of_node] : at_node)
       if (of_node.size() > 1)
         {
-          at_nodes.push_back(of_node);
+          points_at_nodes.push_back(of_node);
           for (const unsigned int q : of_node)
             {
               point_of_multiplier[points[q].multipliers[0]] = q;
@@ -270,7 +271,7 @@ namespace Contact
                  b.normal >
                0;
     };
-    for (const auto &of_node : at_nodes)
+    for (const auto &of_node : points_at_nodes)
       for (const unsigned int q : of_node)
         for (const unsigned int other : of_node)
           {
@@ -299,7 +300,7 @@ namespace Contact
       points[q].joined = std::make_shared<const JoinedPoint<dim>>(
         JoinedPoint<dim>{points[q], points[q].weight, first});
     };
-    for (const auto &of_node : at_nodes)
+    for (const auto &of_node : points_at_nodes)
       {
         std::vector<unsigned int> glued, free;
         for (const unsigned int q : of_node)

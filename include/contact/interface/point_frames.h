@@ -104,11 +104,10 @@ namespace Contact
     void join_to_first(const std::vector<unsigned int> &joined,
                        std::vector<ContactPoint<dim>>  &points) const;
 
-    const Pairs                                       *pairs = nullptr;
-    std::map<NodeDoFs<dim>, std::vector<unsigned int>> at_node; // of all
-    std::vector<std::vector<unsigned int>>             at_nodes;
-    std::map<unsigned int, std::vector<unsigned int>>  others_at_node;
-    std::map<unsigned int, unsigned int>               point_of_multiplier;
+    const Pairs                                      *pairs = nullptr;
+    std::vector<std::vector<unsigned int>>            points_at_nodes;
+    std::map<unsigned int, std::vector<unsigned int>> others_at_node;
+    std::map<unsigned int, unsigned int>              point_of_multiplier;
   };
 } // namespace Contact
 
